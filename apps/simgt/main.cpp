@@ -67,10 +67,10 @@ void addPlay(CLI::App& command, gt::PlayOptions& play) {
                      "or NAME=ENDPOINT to listen for them there (red3=tcp://10.0.1.5:5003)");
   command.add_option("--keys", play.keys,
                      "robot.key of router --make-keys: for robots on other machines");
-  command
-      .add_option("--game-controller", play.match.gameControllerPort,
-                  "UDP port on which a RoboCup game controller may lead the game (its own: 3838)")
-      ->check(CLI::Range(1, 65535));
+  command.add_option(
+      "--game-controller", play.match.gameController,
+      "UDP port on which a RoboCup game controller of this machine may lead the game "
+      "(its own: 3838); ADDRESS:PORT for those of other machines and that broadcast");
   command.add_option("--sockets", play.match.sockets, "Folder in which they find the simulation");
   addFoxglove(command, play.foxglove);
 }

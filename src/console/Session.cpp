@@ -186,6 +186,10 @@ void Session::reportNews() {
     screen_.print(clockText(events[state_.reportedEvents].time) + "  " + text);
     if (foxglove_) foxglove_->log("referee", text);
   }
+  for (const std::string& line : state_.match->takeGameControllerNews()) {
+    screen_.print(line);
+    if (foxglove_) foxglove_->log("referee", line, Severity::warning);
+  }
   const auto& failures = state_.match->failures();
   for (; state_.reportedFailures < failures.size(); ++state_.reportedFailures)
     screen_.print(failures[state_.reportedFailures].error.text());

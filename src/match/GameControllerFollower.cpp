@@ -1,11 +1,20 @@
 #include "match/GameControllerFollower.h"
 
+#include <algorithm>
+#include <cstdlib>
 #include <tuple>
 
 namespace gt {
+namespace {
 
-Result<void> GameControllerFollower::listen(int port) {
-  auto link = GameControllerLink::listen(port);
+/// A message states the time left in whole seconds, and needs some time itself: a clock that is
+/// further off than that was set.
+constexpr std::int64_t clockTolerance = 1500;  // ms
+
+}  // namespace
+
+Result<void> GameControllerFollower::listen(const Endpoint& endpoint) {
+  auto link = GameControllerLink::listen(endpoint);
   if (!link) return link.error();
   link_ = std::move(*link);
   return {};
@@ -14,32 +23,39 @@ Result<void> GameControllerFollower::listen(int port) {
 void GameControllerFollower::hear(const Note& note) {
   constexpr int mostInATick = 10;  // the rest of a flood waits
   for (int i = 0; link_ && i < mostInATick; ++i) {
-    const auto message = link_->receive();
-    if (!message) return;
-    const auto changed = follow(*message);
-    if (!changed) continue;
-    if (*changed) note(*message);
+    const auto datagram = link_->receive();
+    if (!datagram) return;
+    const auto message = choice_.take(*datagram);
+    if (!message) continue;
+    if (follow(*message)) note(datagram->bytes);
     answer();
   }
 }
 
 Result<bool> GameControllerFollower::follow(std::span<const std::byte> bytes) {
-  auto message = parseGameController(bytes);
+  const auto message = parseGameController(bytes);
   if (!message) return message.error();
+  return follow(*message);
+}
+
+bool GameControllerFollower::follow(const GameControllerMessage& message) {
+  Referee& referee = simulation_.referee();
   // Most messages differ from the last one in the time only, which passes by itself.
   const auto meaning = [](const GameControllerMessage& m) {
     return std::tie(m.state, m.firstHalf, m.kickOff, m.teams.values);
   };
-  const bool changed =
-      !last_ || meaning(*last_) != meaning(*message) || !simulation_.referee().led();
-  last_ = *message;
-  if (changed) simulation_.referee().follow(*message, simulation_.world());
+  const std::int64_t left = 1000 * std::max<std::int64_t>(message.secondsLeft, 0);
+  const bool changed = !last_ || meaning(*last_) != meaning(message) || !referee.led() ||
+                       std::abs(left - referee.timeLeft(simulation_.time())) > clockTolerance;
+  last_ = message;
+  if (changed) referee.follow(message, simulation_.world());
   return changed;
 }
 
 void GameControllerFollower::answer() const {
   const std::vector<Player>& players = simulation_.players();
   for (std::size_t i = 0; i < robots_.size(); ++i) {
+    if (!robots_[i]->isOn() || !simulation_.failure(i).empty()) continue;
     GameControllerAnswer answer;
     answer.team = last_->teams[players[i].teamColor].number;
     answer.player = players[i].number();

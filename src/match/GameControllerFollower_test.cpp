@@ -13,8 +13,8 @@ namespace {
 
 using GameControllerFollowerTest = MatchTest;
 
-/// A game controller's message of 2019: state, and the score of blue, the first team.
-std::vector<std::byte> order(int state, int score) {
+/// A game controller's message of 2019: state, score of blue, the first team, and seconds left.
+std::vector<std::byte> order(int state, int score, int seconds = 60) {
   const std::string head{"RGme"};
   std::vector<std::byte> bytes(54);
   for (std::size_t i = 0; i < 4; ++i) bytes[i] = static_cast<std::byte>(head[i]);
@@ -22,7 +22,8 @@ std::vector<std::byte> order(int state, int score) {
                                                             {10, state},
                                                             {12, 1},
                                                             {13, 5},
-                                                            {14, 60},
+                                                            {14, seconds % 256},
+                                                            {15, seconds / 256},
                                                             {18, 5},
                                                             {20, score},
                                                             {36, 7},
@@ -34,10 +35,10 @@ std::vector<std::byte> order(int state, int score) {
 /// A game controller on an address of its own of this machine, where nobody else listens.
 class Controller {
  public:
-  Controller() {
+  explicit Controller(std::uint32_t number = 0) {
     address_.sin_family = AF_INET;
     address_.sin_addr.s_addr =
-        htonl(0x7f000000u | (static_cast<std::uint32_t>(::getpid()) & 0x3fffff) << 1 | 0x800001u);
+        htonl(0x7f800001u + ((static_cast<std::uint32_t>(::getpid()) & 0x1fffff) << 2) + number);
     address_.sin_port = htons(gameControllerAnswerPort(12));
     const auto* address = reinterpret_cast<const sockaddr*>(&address_);
     EXPECT_EQ(::bind(socket_, address, sizeof address_), 0) << std::strerror(errno);
@@ -67,7 +68,7 @@ class Controller {
 TEST_F(GameControllerFollowerTest, AGameControllerLeadsByUdpAndIsAnswered) {
   MatchOptions options;
   options.minutes = 1;
-  options.gameControllerPort = 0;
+  options.gameController = "0";
   auto made = Match::make(options);
   ASSERT_TRUE(made) << made.error().text();
   Match& match = **made;
@@ -98,6 +99,61 @@ TEST_F(GameControllerFollowerTest, AGameControllerLeadsByUdpAndIsAnswered) {
   ASSERT_TRUE(loaded) << loaded.error().text();
   EXPECT_EQ((*loaded)->simulation().referee().score(TeamColor::blue), 2);
   EXPECT_FALSE((*loaded)->gameControllerPort()) << "nobody may lead this one";
+}
+
+/// A match that a game controller may lead.
+class LedMatch : public MatchTest {
+ protected:
+  void begin(const MatchOptions& changed = {}) {
+    MatchOptions options = changed;
+    options.minutes = 1;
+    options.gameController = "0";
+    auto made = Match::make(options);
+    ASSERT_TRUE(made) << made.error().text();
+    match = std::move(*made);
+  }
+  void send(const std::vector<std::byte>& bytes, const Controller& from) {
+    from.send(bytes, *match->gameControllerPort());
+    match->step();
+  }
+  double secondsLeft() const {
+    return static_cast<double>(match->simulation().referee().timeLeft(match->time())) / 1000;
+  }
+
+  std::unique_ptr<Match> match;
+  const Controller controller;
+};
+
+TEST_F(LedMatch, ItsClockIsSet) {
+  begin();
+  send(order(3, 0, 600), controller);
+  for (int i = 0; i < 125; ++i) match->step();
+  EXPECT_NEAR(secondsLeft(), 599, 0.1);
+  send(order(3, 0, 598), controller);
+  EXPECT_NEAR(secondsLeft(), 599, 0.1) << "it passes by itself";
+  send(order(3, 0, 610), controller);
+  EXPECT_NEAR(secondsLeft(), 610, 0.1) << "it was set back";
+  EXPECT_EQ(match->history().size(), 2u);
+}
+
+TEST_F(LedMatch, OverlapsWithNoOtherController) {
+  begin();
+  const Controller other{1};
+  send(order(3, 1), controller);
+  for (int i = 0; i < 3; ++i) send(order(1, 0), other);
+  EXPECT_EQ(match->simulation().referee().state(), GameState::playing);
+  EXPECT_EQ(match->simulation().referee().score(TeamColor::blue), 1);
+  EXPECT_EQ(other.answers(), 0);
+  EXPECT_EQ(match->takeGameControllerNews().size(), 2u);
+}
+
+TEST_F(LedMatch, RobotsWhoseProgramsNeverCameDoNotAnswer) {
+  MatchOptions options;
+  options.remote = {{"red3", ""}, {"blue1", ""}};
+  options.sockets = (folder / "sockets").string();
+  begin(options);
+  send(order(3, 0), controller);
+  EXPECT_EQ(controller.answers(), 6);
 }
 
 }  // namespace

@@ -53,12 +53,12 @@ class GameManager {
 /// The next message; empty if none is pending. Loopback delivers before `sendto` returns.
 std::string next(GameControllerLink& link) {
   const auto message = link.receive();
-  return message ? std::string{reinterpret_cast<const char*>(message->data()), message->size()}
-                 : "";
+  if (!message) return "";
+  return {reinterpret_cast<const char*>(message->bytes.data()), message->bytes.size()};
 }
 
 TEST(GameControllerLink, ReceivesEachMessageOnceAndAnswersTheLastSender) {
-  const auto link = std::move(*GameControllerLink::listen(0));
+  const auto link = std::move(*GameControllerLink::listen({}));
   EXPECT_EQ(next(*link), "") << "does not block";
   const GameManager first, second, answers;
   first.send(link->port(), "ready");
@@ -73,11 +73,29 @@ TEST(GameControllerLink, ReceivesEachMessageOnceAndAnswersTheLastSender) {
   EXPECT_EQ(next(*link), "playing");
 }
 
-TEST(GameControllerLink, TellsThatAPortIsTaken) {
-  const auto link = std::move(*GameControllerLink::listen(0));
-  const auto second = GameControllerLink::listen(link->port());
-  ASSERT_FALSE(second);
-  EXPECT_EQ(second.error().field, "port " + std::to_string(link->port()));
+TEST(GameControllerLink, SaysWhoSentAMessage) {
+  const auto link = std::move(*GameControllerLink::listen({}));
+  const GameManager manager;
+  manager.send(link->port(), "set");
+  const auto message = link->receive();
+  ASSERT_TRUE(message);
+  EXPECT_EQ(message->sender, "127.0.0.1:" + std::to_string(manager.port()));
+}
+
+TEST(GameControllerLink, TellsWhereItCannotListen) {
+  const auto link = std::move(*GameControllerLink::listen({}));
+  const auto port = static_cast<std::uint16_t>(link->port());
+  for (const char* address : {"127.0.0.1", "192.0.2.1", "here", "::1"}) {
+    const auto second = GameControllerLink::listen({address, port});
+    ASSERT_FALSE(second) << address;
+    EXPECT_EQ(second.error().field, std::string{address} + ":" + std::to_string(port));
+  }
+}
+
+TEST(GameControllerLink, HearsOnlyThisMachineUnlessAskedFor) {
+  const auto link = std::move(*GameControllerLink::listen({}));
+  // Another address of this machine has room for the same port.
+  EXPECT_TRUE(GameControllerLink::listen({"127.0.0.2", static_cast<std::uint16_t>(link->port())}));
 }
 
 }  // namespace

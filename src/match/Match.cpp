@@ -58,9 +58,11 @@ Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
   }
   match->gameController_ =
       std::make_unique<GameControllerFollower>(*match->simulation_, match->allRobots_);
-  if (options.gameControllerPort)
-    if (auto done = match->gameController_->listen(*options.gameControllerPort); !done)
-      return done.error();
+  if (!options.gameController.empty()) {
+    const auto endpoint = parseEndpoint(options.gameController);
+    if (!endpoint) return endpoint.error();
+    if (auto done = match->gameController_->listen(*endpoint); !done) return done.error();
+  }
   match->statistics_ =
       std::make_unique<MatchStatistics>(*match->simulation_, match->allRobots_, match->kicks());
   match->images_ =

@@ -55,9 +55,9 @@ struct MatchOptions {
   std::map<std::string, std::string> remote{};
   std::string sockets{};       ///< Folder in which they find it; the user's default if empty.
   std::optional<Keys> keys{};  ///< For robots on other machines.
-  /// UDP port on which a game controller may lead the game, if it may; 0 takes a free one. Its own
-  /// is 3838.
-  std::optional<int> gameControllerPort{};
+  /// Where a game controller may lead the game by UDP, if it may: PORT on the loopback device, or
+  /// ADDRESS:PORT; port 0 takes a free one. Its own is 3838.
+  std::string gameController{};
 };
 
 /// That the program of a robot failed. The error's field names the robot.
@@ -106,6 +106,9 @@ class Match {
   Result<void> control(std::span<const std::byte> message);
   /// The UDP port on which a game controller is heard, if one may lead.
   std::optional<int> gameControllerPort() const { return gameController_->port(); }
+  /// Which game controller leads and which ones are not followed: lines for the user that were not
+  /// taken yet.
+  std::vector<std::string> takeGameControllerNews() { return gameController_->takeNews(); }
   /// Remembers what was just done to the match from outside, for `save`.
   void note(InterventionKind kind, std::string line);
   const std::vector<Intervention>& history() const { return history_; }

@@ -15,6 +15,8 @@ class MatchRobot : public RobotController {
   virtual const BallModel* ball() const = 0;
   virtual const RobotState* state() const = 0;
   virtual const MotionInfo* motion() const = 0;
+  /// Whether its programs run, as far as is known: a robot that is off answers nobody.
+  virtual bool isOn() const { return true; }
 };
 
 /// A robot sends its teammates what it knows with every third image, some eight times a second.

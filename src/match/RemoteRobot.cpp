@@ -11,6 +11,8 @@ namespace {
 /// No robot of this kind walks or turns faster; what would is no step but a new start.
 constexpr double mostSpeed = 2.0;     // mm in 1 ms
 constexpr double mostTurning = 0.02;  // rad in 1 ms
+/// A robot that gives no commands for so long is off: it gives them in each frame.
+constexpr std::int64_t offAfter = 2000;  // ms
 
 }  // namespace
 
@@ -48,6 +50,10 @@ void RemoteRobot::cycle(const RobotInput& input, RobotOutput& output) {
   send(input);
 }
 
+bool RemoteRobot::isOn() const {
+  return commandedAt_ != never() && now_ - commandedAt_ < offAfter;
+}
+
 void RemoteRobot::send(const RobotInput& input) {
   input.forEach([this]<typename T>(const T& package) {
     SentPackage<T>& out = std::get<SentPackage<T>>(inputs_);
@@ -63,6 +69,8 @@ void RemoteRobot::takeCommands(const RobotInput& input, RobotOutput& output) {
   auto& leds = command<LedValue>();
   auto& message = command<TeamMessage>();
   const bool newJoints = joints.take();
+  now_ = input.now;
+  if (newJoints) commandedAt_ = now_;
   if (newJoints && isSane(joints.value)) output.joints = joints.value;
   if (leds.take()) output.leds = leds.value;
   if (auto& gains = command<JointGains>(); gains.take() && isSane(gains.value))

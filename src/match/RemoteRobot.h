@@ -36,6 +36,8 @@ class RemoteRobot : public MatchRobot {
   const BallModel* ball() const override { return &ball_.value; }
   const RobotState* state() const override { return &state_.value; }
   const MotionInfo* motion() const override { return &motion_.value; }
+  /// It has given commands lately.
+  bool isOn() const override;
   const std::string& name() const { return name_; }
   const RemoteStatistics& statistics() const { return statistics_; }
 
@@ -63,6 +65,7 @@ class RemoteRobot : public MatchRobot {
   ReceivedPackage<MotionInfo> motion_;
   Pose2D walked_;  ///< By the robot's odometry, in its last message.
   Time walkedAt_ = never();
+  Time now_, commandedAt_ = never();
   std::int64_t images_ = 0;
   bool newMessage_ = false;
   RemoteStatistics statistics_;

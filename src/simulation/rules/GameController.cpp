@@ -9,35 +9,57 @@
 namespace gt {
 namespace {
 
-/// How one version's message is laid out, behind "RGme" and the version.
+/// How one version's message is laid out, behind "RGme".
 struct Format {
   int version;
   std::size_t size;
-  bool words;           ///< All numbers have 32 bits.
-  int wideVersion;      ///< Bytes of the version.
+  int versionBytes;
   int skipped;          ///< Bytes up to the state: packet number, players per team, ...
-  bool stopFlag;        ///< The last but one of them states that the game is stopped.
+  bool setPlay;         ///< A byte between the state and the half.
   bool kickerByNumber;  ///< The team that kicks off is given by its number, not by its color.
-  int teamSkipped;      ///< Bytes between a team's color and its score.
-  int afterScore;       ///< Bytes between the score and the players.
+  int afterKicker;      ///< Bytes up to the time: shoot-out, drop-in.
+  int timeBytes;
+  int afterTime;    ///< Bytes up to the teams.
+  int teamSkipped;  ///< Bytes between a team's color and its score.
+  int afterScore;   ///< Bytes between the score and the players: shots, message of the coach.
   int players, playerSize;
+  bool words = false;  ///< All numbers have 32 bits.
+  bool stopFlag =
+      false;  ///< The last but one of the skipped bytes states that the game is stopped.
 };
 
-constexpr std::array<Format, 7> formats{{
-    {4, 120, true, 4, 0, false, false, 0, 0, 4, 8},
-    {7, 116, false, 4, 1, false, false, 1, 0, 11, 4},
-    {12, 54, false, 1, 5, false, true, 0, 3, 6, 2},
-    {14, 62, false, 1, 5, false, true, 0, 5, 7, 2},
-    {15, 118, false, 1, 5, false, true, 2, 5, 20, 2},
-    {19, 198, false, 1, 5, true, true, 2, 5, 20, 4},
-    {20, 158, false, 1, 5, true, true, 2, 5, 20, 3},
+/// Some versions were used with messages of a coach of two sizes.
+constexpr std::array<Format, 11> formats{{
+    {4, 120, 4, 0, false, false, 0, 4, 8, 0, 0, 4, 8, true},
+    {7, 116, 4, 1, false, false, 4, 4, 0, 1, 0, 11, 4},
+    {8, 158, 1, 2, false, false, 4, 2, 2, 0, 45, 11, 2},
+    {9, 244, 2, 3, false, true, 4, 2, 2, 0, 87, 11, 2},
+    {9, 588, 2, 3, false, true, 4, 2, 2, 0, 259, 11, 2},
+    {11, 58, 2, 5, true, true, 3, 2, 2, 0, 3, 6, 2},
+    {12, 54, 1, 5, true, true, 0, 2, 2, 0, 3, 6, 2},
+    {14, 62, 1, 5, true, true, 0, 2, 2, 0, 5, 7, 2},
+    {15, 118, 1, 5, true, true, 0, 2, 2, 2, 5, 20, 2},
+    {19, 198, 1, 5, true, true, 0, 2, 2, 2, 5, 20, 4, false, true},
+    {20, 158, 1, 5, true, true, 0, 2, 2, 2, 5, 20, 3, false, true},
 }};
 
-const Format* formatOf(int version) {
+Error wrongMessage(std::string field, std::string what) {
+  return {.file = "game controller", .field = std::move(field), .what = std::move(what)};
+}
+
+Result<const Format*> formatOf(int version, std::size_t size) {
   const int known = version > 15 && version < 19 ? 15 : version;
-  const auto format = std::find_if(formats.begin(), formats.end(),
-                                   [&](const Format& f) { return f.version == known; });
-  return format == formats.end() ? nullptr : &*format;
+  std::string sizes;
+  for (const Format& format : formats) {
+    if (format.version != known) continue;
+    if (format.size == size) return &format;
+    sizes += (sizes.empty() ? "" : " or ") + std::to_string(format.size);
+  }
+  const std::string number = std::to_string(version);
+  if (sizes.empty())
+    return wrongMessage("version", number + " is none of 4, 7 to 9, 11, 12, 14 to 20");
+  return wrongMessage(
+      "size", std::to_string(size) + " bytes instead of " + sizes + " of version " + number);
 }
 
 /// Reads little endian numbers; behind the end all are 0.
@@ -76,7 +98,7 @@ Penalty penaltyOf(int version, std::uint32_t number) {
       of2026{illegalDefender,  illegalDefense, illegalDefense,   obstruction, requestForPickup,
              requestForPickup, ballHolding,    requestForPickup, ballHolding, fieldPlayerCharge};
   const auto& known = version <= 4    ? of2005
-                      : version <= 7  ? of2012
+                      : version <= 8  ? of2012
                       : version <= 12 ? of2019
                       : version < 19  ? of2022
                       : version == 19 ? of2025
@@ -100,7 +122,7 @@ ReadTeam readTeam(Reader& reader, const Format& format, int version) {
   read.team.score = static_cast<int>(std::min(reader.number(width), 999u));
   reader.skip(format.afterScore);
   for (int i = 0; i < format.players; ++i) {
-    const int penaltyBytes = format.wideVersion == 4 ? format.playerSize / 2 : 1;
+    const int penaltyBytes = format.versionBytes == 4 ? format.playerSize / 2 : 1;
     const Penalty penalty = penaltyOf(version, reader.number(penaltyBytes));
     if (i < 4) read.team.penalties[static_cast<std::size_t>(i)] = penalty;
     reader.skip(format.playerSize - penaltyBytes);
@@ -119,51 +141,45 @@ void append(std::vector<std::byte>& bytes, double value) {
 }  // namespace
 
 Result<GameControllerMessage> parseGameController(std::span<const std::byte> bytes) {
-  const auto wrong = [](std::string field, std::string what) {
-    return Error{.file = "game controller", .field = std::move(field), .what = std::move(what)};
-  };
   if (bytes.size() < 8 || std::memcmp(bytes.data(), "RGme", 4) != 0)
-    return wrong("header", "is not RGme");
+    return wrongMessage("header", "is not RGme");
   GameControllerMessage message;
   message.version = std::to_integer<int>(bytes[4]);
-  const Format* format = formatOf(message.version);
-  if (!format)
-    return wrong("version", std::to_string(message.version) + " is none of 4, 7, 12, 14 to 20");
-  if (bytes.size() != format->size)
-    return wrong(
-        "", std::to_string(bytes.size()) + " bytes instead of " + std::to_string(format->size));
+  const auto found = formatOf(message.version, bytes.size());
+  if (!found) return found.error();
+  const Format& format = **found;
 
-  const int width = format->words ? 4 : 1;
-  Reader reader{bytes.subspan(4 + static_cast<std::size_t>(format->wideVersion))};
+  const int width = format.words ? 4 : 1;
+  Reader reader{bytes.subspan(4 + static_cast<std::size_t>(format.versionBytes))};
   bool stopped = false;
-  for (int i = 0; i < format->skipped; ++i) {
-    const bool set = reader.number(1) != 0;
-    if (format->stopFlag && i + 2 == format->skipped) stopped = set;
+  for (int i = 0; i < format.skipped; ++i) {
+    const auto value = static_cast<int>(reader.number(1));
+    if (i == 0 && message.version >= 8) message.packet = value;
+    if (format.stopFlag && i + 2 == format.skipped) stopped = value != 0;
   }
   const std::uint32_t state = reader.number(width);
   using enum GameState;
   constexpr std::array<GameState, 6> states{initial, ready, set, playing, finished, initial};
-  if (state >= states.size()) return wrong("state", std::to_string(state) + " is unknown");
+  if (state >= states.size()) return wrongMessage("state", std::to_string(state) + " is unknown");
   message.state = stopped && states[state] == playing ? set : states[state];
-  if (format->kickerByNumber) reader.skip(1);  // the set play
+  if (format.setPlay) reader.skip(1);
   message.firstHalf = reader.number(width) != 0;
   const std::uint32_t kicker = reader.number(width);
-  if (format->version == 7) reader.skip(4);  // shoot-out, drop-in
-  const int timeBytes = format->version <= 7 ? 4 : 2;
-  const std::uint32_t seconds = reader.number(timeBytes);
-  message.secondsLeft = timeBytes == 2
+  reader.skip(format.afterKicker);
+  const std::uint32_t seconds = reader.number(format.timeBytes);
+  message.secondsLeft = format.timeBytes == 2
                             ? static_cast<std::int16_t>(static_cast<std::uint16_t>(seconds))
                             : std::clamp(static_cast<std::int32_t>(seconds), -86'400, 86'400);
-  reader.skip(format->version == 4 ? 8 : format->version == 7 ? 0 : 2);
+  reader.skip(format.afterTime);
 
-  const ReadTeam first = readTeam(reader, *format, message.version),
-                 second = readTeam(reader, *format, message.version);
+  const ReadTeam first = readTeam(reader, format, message.version),
+                 second = readTeam(reader, format, message.version);
   constexpr std::uint32_t blue = 0, red = 1;
   const bool firstIsRed = first.color == red || (first.color != blue && second.color == blue);
   const TeamColor firstColor = firstIsRed ? TeamColor::red : TeamColor::blue;
   message.teams[firstColor] = first.team;
   message.teams[opponent(firstColor)] = second.team;
-  if (!format->kickerByNumber) {
+  if (!format.kickerByNumber) {
     if (kicker <= red) message.kickOff = kicker == red ? TeamColor::red : TeamColor::blue;
   } else {
     for (const TeamColor team : {TeamColor::red, TeamColor::blue})
@@ -185,8 +201,9 @@ std::vector<std::byte> answerBytes(const GameControllerAnswer& answer, int versi
     append(bytes, player, 2);
     append(bytes, alive, 4);
   } else if (version <= 12) {
-    constexpr std::uint32_t alive = 0;
-    append(bytes, 3, 1);
+    const bool old = version <= 9;
+    const std::uint32_t alive = old ? 2 : 0;
+    append(bytes, old ? 2 : 3, 1);
     append(bytes, team, 1);
     append(bytes, player, 1);
     append(bytes, alive, 1);

@@ -14,8 +14,9 @@
 namespace gt {
 
 /// What the RoboCup game controller sends all robots, in whichever of its formats: RGme of 2005
-/// (version 4), 2012 (7), 2019 (12), 2022 (14), 2023 to 2025 (15 to 18), and those of the humanoid
-/// league (19, 20). Sent by UDP to port 3838, some times a second.
+/// (version 4), 2012 (7), 2014 (8), 2015 and 2016 (9), 2018 (11), 2019 (12), 2022 (14), 2023 to
+/// 2025 (15 to 18), and those of the humanoid league (19, 20). Sent by UDP to port 3838, some times
+/// a second.
 struct GameControllerMessage {
   struct Team {
     int number = 0;
@@ -26,6 +27,7 @@ struct GameControllerMessage {
   };
 
   int version = 0;
+  std::optional<int> packet;  ///< Counts the messages, modulo 256; empty in versions 4 and 7.
   GameState state = GameState::initial;
   bool firstHalf = true;
   std::optional<TeamColor> kickOff;  ///< None if it is neither's.
@@ -56,7 +58,7 @@ std::vector<std::byte> answerBytes(const GameControllerAnswer& answer, int versi
 /// Where messages are sent to, and answers.
 constexpr int gameControllerPort = 3838;
 constexpr int gameControllerAnswerPort(int version) {
-  return version <= 7 ? gameControllerPort : 3939;
+  return version <= 8 ? gameControllerPort : 3939;
 }
 
 }  // namespace gt

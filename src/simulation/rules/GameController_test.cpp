@@ -42,6 +42,18 @@ std::vector<std::byte> message(int version) {
       b.n(4, {7}).n(1, {4, 3, 0, 1, 0, 0}).n(2, {0}).n(4, {90});
       b.n(1, {5, 0, 0, 1}).zeros(12).n(2, {2, 30}).zeros(28);
       return b.n(1, {7, 1, 1, 3}).zeros(4).n(2, {1, 30}).zeros(36).bytes();
+    case 8:
+      b.n(1, {8, 9, 5, 3, 0, 1, 0, 0}).n(2, {0, 90, 0});
+      b.n(1, {5, 0, 1, 0}).n(2, {0}).zeros(42 + 6).n(1, {2, 30}).zeros(14);
+      return b.n(1, {7, 1, 3, 0}).n(2, {0}).zeros(42 + 2).n(1, {1, 30}).zeros(18).bytes();
+    case 9:
+      b.n(2, {9}).n(1, {9, 5, 0, 3, 0, 7, 0, 0}).n(2, {0, 90, 0});
+      b.n(1, {5, 2, 1, 0}).n(2, {0}).zeros(84 + 6).n(1, {2, 30}).zeros(14);
+      return b.n(1, {7, 3, 3, 0}).n(2, {0}).zeros(84 + 2).n(1, {1, 30}).zeros(18).bytes();
+    case 11:
+      b.n(2, {11}).n(1, {9, 5, 0, 0, 0, 3, 0, 0, 7, 0}).n(2, {0, 90, 0});
+      b.n(1, {5, 0, 1, 0}).n(2, {0}).zeros(6).n(1, {2, 30}).zeros(4);
+      return b.n(1, {7, 1, 3, 0}).n(2, {0}).zeros(2).n(1, {1, 30}).zeros(8).bytes();
     case 12:
       b.n(1, {12, 9, 5, 0, 0, 0, 3, 0, 0, 7}).n(2, {90, 0});
       b.n(1, {5, 0, 1, 0}).n(2, {0}).zeros(6).n(1, {2, 30}).zeros(4);
@@ -66,10 +78,11 @@ std::vector<std::byte> message(int version) {
 }
 
 TEST(GameController, AllVersionsSayTheSame) {
-  for (const int version : {4, 7, 12, 14, 15, 16, 17, 18, 19, 20}) {
+  for (const int version : {4, 7, 8, 9, 11, 12, 14, 15, 16, 17, 18, 19, 20}) {
     const auto read = parseGameController(message(version));
     ASSERT_TRUE(read) << version << ": " << read.error().text();
     EXPECT_EQ(read->version, version);
+    EXPECT_EQ(read->packet, version < 8 ? std::nullopt : std::optional{9}) << version;
     EXPECT_EQ(read->state, GameState::playing) << version;
     EXPECT_FALSE(read->firstHalf) << version;
     EXPECT_EQ(read->kickOff, TeamColor::red) << version;
@@ -114,13 +127,21 @@ TEST(GameController, WhatIsNoMessageIsRefused) {
     EXPECT_FALSE(parseGameController(bad)) << at;
   }
   const auto error = parseGameController(std::span{good}.first(53));
-  EXPECT_NE(error.error().text().find("53 bytes instead of 54"), std::string::npos);
+  EXPECT_NE(error.error().text().find("53 bytes instead of 54 of version 12"), std::string::npos);
+  for (const int unknown : {5, 10, 13, 21}) {
+    auto bad = good;
+    bad[4] = static_cast<std::byte>(unknown);
+    EXPECT_EQ(parseGameController(bad).error().field, "version") << unknown;
+  }
 }
 
 TEST(GameController, AnswersAreWhatEachVersionHears) {
   const GameControllerAnswer answer{7, 3, true, {0.5, 100, -200}, 2.5, {10, 20}};
   EXPECT_TRUE(answerBytes(answer, 4).empty());
   EXPECT_EQ(answerBytes(answer, 7), Bytes{}.text("RGrt").n(4, {1}).n(2, {7, 3}).n(4, {2}).bytes());
+  for (const int version : {8, 9})
+    EXPECT_EQ(answerBytes(answer, version), Bytes{}.text("RGrt").n(1, {2, 7, 3, 2}).bytes());
+  EXPECT_EQ(answerBytes(answer, 11), answerBytes(answer, 12));
   EXPECT_EQ(answerBytes(answer, 12), Bytes{}.text("RGrt").n(1, {3, 7, 3, 0}).bytes());
   const auto bytes = answerBytes(answer, 18);
   ASSERT_EQ(bytes.size(), 32u);

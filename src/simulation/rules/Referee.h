@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -38,9 +39,13 @@ class Referee {
 
   const GameControlData& dataFor(std::size_t robot) const { return data_[robot]; }
   GameState state() const { return state_; }
-  /// Whether the game has ended, and the time in which robots leave the field, too.
+  /// Whether the game has ended, and the time in which robots leave the field, too. A game
+  /// controller finishes each half, and may take that back: only the second one's end counts, and
+  /// only after some time.
   bool over(Time now) const {
-    return state_ == GameState::finished && now - stateSince_ >= toMs(parameters_.leaveTime);
+    if (state_ != GameState::finished || (led_ && half_ == 1)) return false;
+    const std::int64_t leaving = toMs(parameters_.leaveTime);
+    return now - stateSince_ >= (led_ ? std::max(leaving, undoMs) : leaving);
   }
   int half() const { return half_; }
   int score(TeamColor team) const { return score_[team]; }
@@ -72,6 +77,8 @@ class Referee {
 
  private:
   static constexpr std::size_t nobody = ~std::size_t{0};
+  /// Within which a game controller may take the end back.
+  static constexpr std::int64_t undoMs = 10'000;
   /// In the goal: between the posts, and behind the line with all of the ball.
   enum class BallPlace { onField, inGoal, out };
 

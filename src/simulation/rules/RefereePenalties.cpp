@@ -153,7 +153,8 @@ void Referee::follow(const GameControllerMessage& message, World& world) {
   if (message.state == GameState::set) placeForKickOff(world);
   if (message.state == GameState::playing && state_ == GameState::set)
     record(world, GameEventType::kickOff, kickOff_);
-  if (message.state == GameState::finished) record(world, GameEventType::gameOver, TeamColor::red);
+  if (message.state == GameState::finished)
+    record(world, half_ == 1 ? GameEventType::halfTime : GameEventType::gameOver, TeamColor::red);
   changeState(message.state, now);
 }
 

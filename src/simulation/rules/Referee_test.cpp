@@ -474,37 +474,5 @@ TEST(ShootOut, GoesOnPairByPairUntilItIsDecided) {
   EXPECT_TRUE(early.over());  // it misses one
 }
 
-TEST_F(RefereeMatch, AGameControllerLeads) {
-  GameControllerMessage message;
-  message.state = GameState::set;
-  message.kickOff = TeamColor::blue;
-  message.secondsLeft = 100;
-  message.teams[TeamColor::blue].score = 2;
-  world_->placeRobot(1, {0, 900, 300});
-  world_->placeBall(0, {500, 0});
-  referee_->follow(message, *world_);
-  EXPECT_TRUE(referee_->led());
-  EXPECT_EQ(referee_->dataFor(1).state, GameState::set);
-  EXPECT_EQ(referee_->dataFor(1).opponentScore, 2);
-  EXPECT_EQ(referee_->dataFor(1).kickOff, KickOff::opponent);
-  EXPECT_LT(world_->robot(1).pose.translation.x(), 0);
-  EXPECT_EQ(world_->ball(0).position, Vector2d(0, 0));
-  for (int i = 0; i < 1000; ++i) tick();
-  EXPECT_EQ(referee_->state(), GameState::set);  // it does not go on by itself
-  message.state = GameState::playing;
-  message.teams[TeamColor::red].penalties[2] = Penalty::obstruction;
-  referee_->follow(message, *world_);
-  EXPECT_EQ(referee_->dataFor(2).state, GameState::penalized);
-  for (int i = 0; i < 1000; ++i) tick();
-  EXPECT_EQ(referee_->penalty(2), Penalty::obstruction);
-  EXPECT_NEAR(static_cast<double>(referee_->timeLeft(world_->time())), 92'000, 10);
-  message.teams[TeamColor::red].penalties[2] = Penalty::none;
-  referee_->follow(message, *world_);
-  EXPECT_EQ(referee_->dataFor(2).state, GameState::playing);
-  world_->placeBall(0, {2200, 0});
-  tick();
-  EXPECT_EQ(referee_->score(TeamColor::red), 0);
-}
-
 }  // namespace
 }  // namespace gt
