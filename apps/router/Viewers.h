@@ -20,6 +20,9 @@ class Viewers {
 
   /// Passes on what robots have sent, also those that were found meanwhile.
   Result<void> update();
+  const FoxgloveServer& server() const { return *server_; }
+  /// Who was not let in: lines for the user that were not taken yet.
+  std::vector<std::string> takeNews() { return server_->takeNews(); }
 
  private:
   Viewers(Router& router, std::unique_ptr<FoxgloveServer> server);

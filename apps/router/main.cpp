@@ -80,6 +80,12 @@ std::string state(const gt::Router::Statistics& s) {
   return s.trouble.empty() ? "not there" : "not there (" + s.trouble + ")";
 }
 
+void report(const gt::FoxgloveServer& viewers) {
+  fmt::print("viewers: {} connected, {} messages dropped\n", viewers.viewers(), viewers.dropped());
+  for (const auto& refusal : viewers.refusals())
+    fmt::print("viewers: {} not let in: {}\n", refusal.count, refusal.why);
+}
+
 void report(const gt::Router& router) {
   for (const auto& s : router.statistics())
     fmt::print("{}: {}, {} tools; {} messages to tools, {} to the robot, {} dropped, {} rejected\n",
@@ -104,17 +110,23 @@ void serve(gt::Router& router, gt::RobotList& robots, const gt::RouterSettings& 
 gt::Result<void> run(gt::Router& router, gt::RobotList& robots, const gt::RouterSettings& settings,
                      gt::Viewers* viewers, bool verbose) {
   const gt::EndSignals signals;
+  const auto reportAll = [&] {
+    if (viewers) report(viewers->server());
+    report(router);
+  };
   std::int64_t reported = 0;
   while (!signals.received()) {
     router.step(10);
     if (robots.searches()) serve(router, robots, settings);
     if (viewers)
       if (auto done = viewers->update(); !done) return done;
+    if (viewers)
+      for (const std::string& line : viewers->takeNews()) fmt::print(stderr, "router: {}\n", line);
     if (!verbose || router.elapsed() - reported < 10'000) continue;
     reported = router.elapsed();
-    report(router);
+    reportAll();
   }
-  report(router);
+  reportAll();
   return {};
 }
 

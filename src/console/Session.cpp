@@ -190,6 +190,8 @@ void Session::reportNews() {
     screen_.print(line);
     if (foxglove_) foxglove_->log("referee", line, Severity::warning);
   }
+  if (foxglove_)
+    for (const std::string& line : foxglove_->takeNews()) screen_.print(line);
   const auto& failures = state_.match->failures();
   for (; state_.reportedFailures < failures.size(); ++state_.reportedFailures)
     screen_.print(failures[state_.reportedFailures].error.text());

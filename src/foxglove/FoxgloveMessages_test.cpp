@@ -96,15 +96,38 @@ TEST(FoxgloveMessages, HaveThePublicSchemas) {
 }
 
 TEST(FoxgloveParameter, IsJsonAndTextAgain) {
-  for (const char* text : {"1", "-7", "0.25", "1e-09", "true", "false", "always", ""}) {
-    const auto again = parameterText(parameterJson(text));
-    ASSERT_TRUE(again) << text;
-    EXPECT_EQ(*again, text);
+  struct Case {
+    const char *words, *value, *type;
+  };
+  for (const auto& [words, value, type] : std::vector<Case>{
+           {"1", "1", "float64"},
+           {"1e-09", "1e-09", "float64"},
+           {"-7", "-7", "float64"},
+           {"inf", "\"inf\"", ""},
+           {"true", "true", ""},
+           {"always", "\"always\"", ""},
+           {"\"\"", "\"\"", ""},
+           {"\"a b\"", "\"a b\"", ""},
+           {"\"say \\\"q\\\"\"", "\"say \\\"q\\\"\"", ""},
+           {"1 2.5", "[1,2.5]", "float64_array"},
+           {"", "[]", ""},
+           {"a \"b c\"", "[\"a\",\"b c\"]", ""},
+           {"1 true", "[1,true]", ""},
+       }) {
+    const Json json = parameterJson("red1.x", words);
+    EXPECT_EQ(json["name"], "red1.x");
+    EXPECT_EQ(json["value"].dump(), value) << words;
+    EXPECT_EQ(json.value("type", ""), type) << words;
+    const auto again = parameterText(json["value"]);
+    ASSERT_TRUE(again) << words;
+    EXPECT_EQ(*again, words);
   }
-  EXPECT_TRUE(parameterJson("0.25").is_number());
-  EXPECT_TRUE(parameterJson("true").is_boolean());
-  EXPECT_TRUE(parameterJson("inf").is_string());
-  EXPECT_FALSE(parameterText(Json::array()));
+  EXPECT_EQ(parameterJson("red1.x", "\"a")["value"], "\"a") << "of a robot that writes otherwise";
+}
+
+TEST(FoxgloveParameter, IsNoObjectAndNoListOfLists) {
+  for (const char* wrong : {"null", "{}", "[[1]]", "[null]", "[1,{}]"})
+    EXPECT_FALSE(parameterText(*parseJson(wrong, ""))) << wrong;
 }
 
 }  // namespace

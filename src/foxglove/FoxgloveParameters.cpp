@@ -15,8 +15,8 @@ constexpr std::chrono::milliseconds parameterInterval{250};
 }  // namespace
 
 /// All parameters of the solutions that a robot has, by ROBOT.TASK.SOLUTION.PATH.
-std::map<std::string, std::string> FoxgloveServer::parametersOf(Robot& robot) {
-  std::map<std::string, std::string> values;
+FoxgloveServer::Parameters FoxgloveServer::parametersOf(Robot& robot) {
+  Parameters values;
   const auto processes = robot.observed->processes();
   if (!processes) return values;
   for (const ProcessDescription& process : **processes)
@@ -45,10 +45,13 @@ void FoxgloveServer::sendParameters(ClientId client, const std::vector<std::stri
   Json list = Json::array();
   for (const auto& robot : robots_) {
     if (!names.empty() && !robots.contains(robot.get())) continue;
-    for (const auto& [name, value] : parametersOf(*robot))
-      if (names.empty() || wanted.contains(name))
-        list.push_back({{"name", name}, {"value", parameterJson(value)}});
+    for (const auto& [name, words] : parametersOf(*robot))
+      if (names.empty() || wanted.contains(name)) list.push_back(parameterJson(name, words));
   }
+  sendParameters(client, std::move(list), answers);
+}
+
+void FoxgloveServer::sendParameters(ClientId client, Json list, const std::string& answers) {
   Json message{{"op", "parameterValues"}, {"parameters", std::move(list)}};
   if (!answers.empty()) message["id"] = answers;
   sendJson(client, message);
@@ -73,7 +76,11 @@ void FoxgloveServer::setParameters(ClientId client, const FoxgloveRequest& reque
   reportFaults(client, Severity::error, faults);
   if (!changed.empty() && subject.parameterChanged) subject.parameterChanged();
   for (Robot* robot : changed) notifyParameters(*robot);
-  if (!request.id.empty()) sendParameters(client, request.names, request.id);
+  if (request.id.empty()) return;
+  if (request.names.empty())
+    sendParameters(client, Json::array(), request.id);  // no names would be all of them
+  else
+    sendParameters(client, request.names, request.id);
 }
 
 /// Without names all parameters that there are; names of others are not kept.
@@ -81,7 +88,7 @@ void FoxgloveServer::subscribeParameters(Client& client, const std::vector<std::
   for (const auto& robot : robots_) {
     robot->parameters.merge(parametersOf(*robot));
     if (names.empty())
-      for (const auto& [name, value] : robot->parameters) client.parameters.insert(name);
+      for (const auto& [name, parameter] : robot->parameters) client.parameters.insert(name);
   }
   for (const std::string& name : names)
     if (const Robot* robot = robotOf(name); robot && robot->parameters.contains(name))
@@ -92,16 +99,16 @@ void FoxgloveServer::subscribeParameters(Client& client, const std::vector<std::
 void FoxgloveServer::notifyParameters(Robot& robot) {
   const auto before = std::exchange(robot.parameters, parametersOf(robot));
   Json changed = Json::object();
-  for (const auto& [name, value] : robot.parameters) {
+  for (const auto& [name, words] : robot.parameters) {
     const auto known = before.find(name);
-    if (known != before.end() && known->second != value) changed[name] = parameterJson(value);
+    if (known != before.end() && known->second != words) changed[name] = parameterJson(name, words);
   }
   if (changed.empty()) return;
   for (const auto& [id, client] : clients_) {
     Json list = Json::array();
-    for (const auto& [name, value] : changed.items())
-      if (client.parameters.contains(name)) list.push_back({{"name", name}, {"value", value}});
-    if (!list.empty()) sendJson(id, {{"op", "parameterValues"}, {"parameters", std::move(list)}});
+    for (const auto& [name, parameter] : changed.items())
+      if (client.parameters.contains(name)) list.push_back(parameter);
+    if (!list.empty()) sendParameters(id, std::move(list), "");
   }
 }
 

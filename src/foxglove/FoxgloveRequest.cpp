@@ -1,10 +1,12 @@
 #include "foxglove/FoxgloveRequest.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 
+#include "base/Lines.h"
 #include "base/Number.h"
 
 namespace gt {
@@ -101,6 +103,26 @@ Result<void> readLists(const Json& json, FoxgloveRequest& request) {
   }
 }
 
+/// A word of a configuration file as JSON.
+Json wordJson(const Word& word) {
+  const std::string& text = word.text;
+  if (word.quoted) return text;
+  if (text == "true" || text == "false") return text == "true";
+  if (const auto whole = numberFrom<std::int64_t>(text)) return *whole;
+  const auto real = numberFrom<double>(text);
+  if (real && std::isfinite(*real)) return *real;
+  return text;
+}
+
+Result<std::string> wordText(const Json& value) {
+  if (value.is_boolean()) return std::string{value.get<bool>() ? "true" : "false"};
+  if (value.is_number_unsigned()) return numberText(value.get<std::uint64_t>());
+  if (value.is_number_integer()) return numberText(value.get<std::int64_t>());
+  if (value.is_number()) return numberText(value.get<double>());
+  if (value.is_string()) return quotedWord(value.get_ref<const std::string&>());
+  return wrong("value", "expected a number, a truth value, a text or a list of these");
+}
+
 }  // namespace
 
 Result<FoxgloveRequest> parseFoxgloveRequest(std::string_view text) {
@@ -118,21 +140,34 @@ Result<FoxgloveRequest> parseFoxgloveRequest(std::string_view text) {
   return wrong("op", "'" + op.get<std::string>() + "' is not supported");
 }
 
-Json parameterJson(const std::string& text) {
-  if (text == "true" || text == "false") return text == "true";
-  if (const auto whole = numberFrom<std::int64_t>(text)) return *whole;
-  const auto real = numberFrom<double>(text);
-  if (real && std::isfinite(*real)) return *real;
-  return text;
+Json parameterJson(const std::string& name, const std::string& words) {
+  const auto isNumber = [](const Json& value) { return value.is_number(); };
+  Json json{{"name", name}};
+  const auto parts = wordsOf(words);
+  if (!parts) {
+    json["value"] = words;  // of a robot elsewhere that writes otherwise
+  } else if (parts->size() == 1) {
+    json["value"] = wordJson(parts->front());
+    if (isNumber(json["value"])) json["type"] = "float64";
+  } else {
+    Json list = Json::array();
+    for (const Word& word : *parts) list.push_back(wordJson(word));
+    const bool areNumbers = !list.empty() && std::ranges::all_of(list, isNumber);
+    json["value"] = std::move(list);
+    if (areNumbers) json["type"] = "float64_array";
+  }
+  return json;
 }
 
 Result<std::string> parameterText(const Json& value) {
-  if (value.is_boolean()) return std::string{value.get<bool>() ? "true" : "false"};
-  if (value.is_number_unsigned()) return numberText(value.get<std::uint64_t>());
-  if (value.is_number_integer()) return numberText(value.get<std::int64_t>());
-  if (value.is_number()) return numberText(value.get<double>());
-  if (value.is_string()) return value.get<std::string>();
-  return wrong("value", "expected a number, a truth value or a text");
+  if (!value.is_array()) return wordText(value);
+  std::string text;
+  for (const Json& element : value) {
+    const auto word = wordText(element);
+    if (!word) return word.error();
+    text += (text.empty() ? "" : " ") + *word;
+  }
+  return text;
 }
 
 }  // namespace gt

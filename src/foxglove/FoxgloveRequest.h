@@ -43,10 +43,12 @@ struct FoxgloveRequest {
 /// server has not announced.
 Result<FoxgloveRequest> parseFoxgloveRequest(std::string_view text);
 
-/// A parameter's value, which configuration files write as text, as the protocol has it: a number,
-/// true, false, or a text.
-Json parameterJson(const std::string& text);
-/// The other way round; an error if it is neither number, boolean nor text.
+/// A parameter as the protocol has it: its name, and its value, which configuration files write as
+/// words, as a number, boolean, text, or list of these. Numbers have the protocol's only type of
+/// numbers, whether they have to be whole or not.
+Json parameterJson(const std::string& name, const std::string& words);
+/// A value of the protocol as configuration files write it; a text is one word, whatever it holds.
+/// An error if it is neither number, boolean, text nor a list of these.
 Result<std::string> parameterText(const Json& value);
 
 }  // namespace gt

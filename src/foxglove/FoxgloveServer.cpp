@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/Number.h"
-#include "foxglove/FoxgloveRequest.h"
+#include "network/Endpoint.h"
 #include "observer/MessageTypes.h"
 #include "observer/RobotLog.h"
 #include "representations/infrastructure/Image.h"
@@ -25,11 +24,13 @@ constexpr milliseconds worldInterval{30}, timeInterval{20}, fieldInterval{1000};
 /// How often robots are asked that have not answered.
 constexpr milliseconds seekInterval{1000};
 
-/// Subscriptions of a client for one channel: each gets every message. A viewer has one.
-constexpr std::ptrdiff_t mostSubscriptions = 4;
-
 // Opcodes of the protocol's binary messages.
 constexpr char messageData = 1, timeData = 2;
+
+/// Of two messages of a subscription the older one is replaced while it waits; 0 means neither.
+std::uint32_t placeOf(std::uint32_t subscription) {
+  return subscription + 1;
+}
 
 /// A number in the protocol's byte order.
 void append(std::string& text, std::uint64_t number, std::size_t bytes) {
@@ -69,25 +70,16 @@ bool isOrigin(std::string_view text) {
   return host.find_first_of("/ ?#@") == host.npos;
 }
 
-/// ADDRESS:PORT or PORT; an address of IPv6 stands in brackets.
 Result<WebSocketServer::Options> optionsOf(const FoxgloveAccess& access) {
   for (const std::string& origin : access.origins)
     if (!isOrigin(origin))
       return Error{.field = origin, .what = "expected an origin, SCHEME://HOST[:PORT] or file://"};
-  WebSocketServer::Options options{.subprotocols = subprotocols, .origins = access.origins};
-  const std::string_view endpoint = access.endpoint;
-  const std::size_t colon = endpoint.rfind(':');
-  const auto port =
-      numberFrom<std::uint16_t>(colon == endpoint.npos ? endpoint : endpoint.substr(colon + 1));
-  if (!port)
-    return Error{.field = std::string{endpoint}, .what = "expected a port, or ADDRESS:PORT"};
-  options.port = *port;
-  if (colon == endpoint.npos) return options;
-  std::string_view address = endpoint.substr(0, colon);
-  if (address.size() > 2 && address.front() == '[' && address.back() == ']')
-    address = address.substr(1, address.size() - 2);
-  options.address = address;
-  return options;
+  const auto endpoint = parseEndpoint(access.endpoint);
+  if (!endpoint) return endpoint.error();
+  return WebSocketServer::Options{.address = endpoint->address,
+                                  .port = endpoint->port,
+                                  .subprotocols = subprotocols,
+                                  .origins = access.origins};
 }
 
 }  // namespace
@@ -117,106 +109,12 @@ Result<std::unique_ptr<FoxgloveServer>> FoxgloveServer::open(const FoxgloveAcces
 
 void FoxgloveServer::update(const FoxgloveSubject& subject) {
   now_ = subject.now;
-  for (const auto& event : server_->take()) take(event, subject);
+  for (auto& event : server_->take()) take(std::move(event));
+  serveClients(subject);
   if (clients_.empty()) return;
   addRobots(subject);
   publishNew(subject);
   followParameters();
-}
-
-// Clients.
-
-void FoxgloveServer::take(const WebSocketServer::Event& event, const FoxgloveSubject& subject) {
-  using Kind = WebSocketServer::EventKind;
-  if (event.kind == Kind::connected) {
-    clients_[event.client];
-    sendJson(event.client, {{"op", "serverInfo"},
-                            {"name", name_},
-                            {"capabilities", {"time", "parameters", "parametersSubscribe"}},
-                            {"sessionId", session_}});
-    std::vector<const Channel*> all;
-    for (const auto& [id, channel] : channels_) all.push_back(channel.get());
-    advertise(all, &event.client);
-    return;
-  }
-  const auto found = clients_.find(event.client);
-  if (found == clients_.end()) return;
-  if (event.kind == Kind::closed) {
-    while (!found->second.subscriptions.empty())
-      unsubscribe(event.client, found->second, found->second.subscriptions.begin()->first);
-    clients_.erase(found);
-  } else if (event.kind == Kind::binary) {
-    status(event.client, Severity::error, "this server takes no messages");
-  } else if (const auto request = parseFoxgloveRequest(event.data); !request) {
-    status(event.client, Severity::error, request.error().text());
-  } else {
-    perform(event.client, found->second, *request, subject);
-  }
-}
-
-void FoxgloveServer::perform(ClientId id, Client& client, const FoxgloveRequest& request,
-                             const FoxgloveSubject& subject) {
-  using Kind = FoxgloveRequest::Kind;
-  switch (request.kind) {
-    case Kind::subscribe:
-      subscribe(id, client, request.subscriptions);
-      break;
-    case Kind::unsubscribe:
-      for (const std::uint32_t subscription : request.ids) unsubscribe(id, client, subscription);
-      break;
-    case Kind::getParameters:
-      sendParameters(id, request.names, request.id);
-      break;
-    case Kind::setParameters:
-      setParameters(id, request, subject);
-      break;
-    case Kind::subscribeParameters:
-      subscribeParameters(client, request.names);
-      break;
-    case Kind::unsubscribeParameters:
-      if (request.names.empty()) client.parameters.clear();
-      for (const std::string& name : request.names) client.parameters.erase(name);
-      break;
-  }
-}
-
-void FoxgloveServer::subscribe(ClientId id, Client& client,
-                               const std::vector<FoxgloveSubscription>& wanted) {
-  std::vector<Error> faults;
-  for (const auto& subscription : wanted)
-    if (const auto done = subscribe(id, client, subscription); !done)
-      faults.push_back(done.error());
-  reportFaults(id, Severity::warning, faults);
-}
-
-Result<void> FoxgloveServer::subscribe(ClientId id, Client& client,
-                                       const FoxgloveSubscription& wanted) {
-  const auto found = channels_.find(wanted.channel);
-  if (found == channels_.end())
-    return Error{.what = "there is no channel " + std::to_string(wanted.channel)};
-  Channel& channel = *found->second;
-  if (client.subscriptions.contains(wanted.id))
-    return Error{.what = "there is already a subscription " + std::to_string(wanted.id)};
-  if (std::ranges::count(channel.subscribers, id, &Subscriber::client) >= mostSubscriptions)
-    return Error{.what = "there are " + std::to_string(mostSubscriptions) +
-                         " subscriptions of channel " + std::to_string(wanted.channel) +
-                         " already"};
-  client.subscriptions[wanted.id] = &channel;
-  if (channel.subscribers.empty()) feed(channel);
-  channel.subscribers.push_back({id, wanted.id});
-  if (&channel == field_) fieldSent_ = {};
-  return {};
-}
-
-void FoxgloveServer::unsubscribe(ClientId id, Client& client, std::uint32_t subscription) {
-  const auto found = client.subscriptions.find(subscription);
-  if (found == client.subscriptions.end()) return;
-  Channel& channel = *found->second;
-  client.subscriptions.erase(found);
-  std::erase_if(channel.subscribers, [&](const Subscriber& subscriber) {
-    return subscriber.client == id && subscriber.subscription == subscription;
-  });
-  if (channel.subscribers.empty()) channel.feeds.clear();
 }
 
 /// Has robots send what a channel shows.
@@ -338,7 +236,7 @@ void FoxgloveServer::forget() {
   std::erase_if(channels_, belongsToRobot);
   robots_.clear();
   robotsSought_ = {};
-  worldTime_ = never();
+  truthPaced_ = framesPaced_ = {};
 }
 
 // What robots send.
@@ -361,6 +259,10 @@ void FoxgloveServer::take(Robot& robot, const Message& message) {
   } else {
     const auto channel = robot.representations.find(message.id);
     if (channel == robot.representations.end() || channel->second->subscribers.empty()) return;
+    if (!isTaken(*channel->second, false)) {
+      ++skipped_;
+      return;
+    }
     const auto* bytes = reinterpret_cast<const char*>(message.bytes.data());
     return publish(*channel->second, message.time, {bytes, message.bytes.size()}, false);
   }
@@ -376,6 +278,7 @@ void FoxgloveServer::takeDrawing(Robot& robot, const Message& message) {
   const auto channel = channels.find(drawing.key);
   if (channel == channels.end() || channel->second->subscribers.empty()) return;
   Drawn& drawn = robot.drawn[channel->second->topic];
+  skipped_ += !drawn.sent && drawn.time != message.time;
   if (drawn.time == message.time && drawn.drawing.space == drawing.space)
     std::ranges::move(drawing.elements, std::back_inserter(drawn.drawing.elements));
   else
@@ -387,15 +290,15 @@ void FoxgloveServer::takeDrawing(Robot& robot, const Message& message) {
 /// An image may be sent again while there is no newer one.
 void FoxgloveServer::takeImage(Robot& robot, const Message& message) {
   if (!robot.camera || robot.camera->subscribers.empty()) return;
-  Image image;
-  if (!message.read(image) || image.pixels.empty()) return;
-  if (std::exchange(robot.lastImage, image.time) == image.time) return;
-  CompressedImage picture = compressed(image);
-  picture.header.frameId = robot.frame() + "/camera";
-  publish(*robot.camera, image.time, picture, true);
+  const bool waits = !std::exchange(robot.imageSent, true);
+  if (!message.read(robot.image) || robot.image.pixels.empty()) return;
+  const bool isNew = std::exchange(robot.lastImage, robot.image.time) != robot.image.time;
+  skipped_ += isNew && waits;
+  robot.imageSent = !isNew && !waits;
 }
 
 void FoxgloveServer::publishNew(const FoxgloveSubject& subject) {
+  publishImages();
   publishDrawings();
   publishWorld(subject);
   const auto now = Clock::now();
@@ -410,17 +313,40 @@ void FoxgloveServer::publishNew(const FoxgloveSubject& subject) {
   for (const auto& [id, client] : clients_) server_->send(id, message);
 }
 
+/// Whether somebody takes a message of the channel now. What is the newest waits until then.
+bool FoxgloveServer::isTaken(const Channel& channel, bool newestOnly) const {
+  return std::ranges::any_of(channel.subscribers, [&](const Subscriber& subscriber) {
+    return server_->takes(subscriber.client, newestOnly ? placeOf(subscriber.subscription) : 0);
+  });
+}
+
+void FoxgloveServer::publishImages() {
+  for (const auto& robot : robots_) {
+    if (robot->imageSent) continue;
+    robot->imageSent = robot->camera->subscribers.empty();
+    if (!isTaken(*robot->camera, true)) continue;
+    robot->imageSent = true;
+    CompressedImage picture = compressed(robot->image);
+    picture.header.frameId = robot->frame() + "/camera";
+    publish(*robot->camera, robot->image.time, picture, true);
+  }
+}
+
 void FoxgloveServer::publishDrawings() {
   for (const auto& robot : robots_)
     for (auto& [topic, drawn] : robot->drawn) {
-      if (std::exchange(drawn.sent, true)) continue;
+      if (drawn.sent) continue;
       const Drawing& drawing = drawn.drawing;
-      if (drawing.space == DrawingSpace::image) {
-        publish(*robot->images.at(drawing.key), drawn.time,
-                foxglove::imageAnnotations(drawing, drawn.time), true);
+      const bool onImage = drawing.space == DrawingSpace::image;
+      Channel& channel = *(onImage ? robot->images : robot->scenes).at(drawing.key);
+      drawn.sent = channel.subscribers.empty();
+      if (!isTaken(channel, true)) continue;
+      drawn.sent = true;
+      if (onImage) {
+        publish(channel, drawn.time, foxglove::imageAnnotations(drawing, drawn.time), true);
       } else {
         const bool onField = drawing.space == DrawingSpace::field;
-        publish(*robot->scenes.at(drawing.key), drawn.time,
+        publish(channel, drawn.time,
                 foxglove::SceneUpdate{{foxglove::sceneEntity(
                     drawing, drawn.time, onField ? robot->field() : robot->frame())}},
                 true);
@@ -428,36 +354,52 @@ void FoxgloveServer::publishDrawings() {
     }
 }
 
+/// Whether it is time to send what changes all the time; notes that it is sent.
+bool FoxgloveServer::isDue(Paced& paced, const Channel& channel, Time now) const {
+  const auto clock = Clock::now();
+  if (paced.time == now || clock < paced.sent + worldInterval || !isTaken(channel, true))
+    return false;
+  paced = {now, clock};
+  return true;
+}
+
 void FoxgloveServer::publishWorld(const FoxgloveSubject& subject) {
   const auto now = Clock::now();
-  if (!field_->subscribers.empty() && now >= fieldSent_ + fieldInterval) {
+  if (now >= fieldSent_ + fieldInterval && isTaken(*field_, true)) {
     fieldSent_ = now;
     publish(*field_, subject.now,
             foxglove::SceneUpdate{{foxglove::fieldEntity(subject.field, subject.now, fieldFrame)}},
             true);
   }
-  if (worldTime_ == subject.now || now < worldSent_ + worldInterval) return;
-  if (truth_->subscribers.empty() && transforms_->subscribers.empty()) return;
-  worldTime_ = subject.now;
-  worldSent_ = now;
+  const bool sendsTruth = isDue(truthPaced_, *truth_, subject.now),
+             sendsFrames = isDue(framesPaced_, *transforms_, subject.now);
+  if (!sendsTruth && !sendsFrames) return;
   const FoxgloveTruth truth = subject.truth ? subject.truth() : FoxgloveTruth{};
-  foxglove::SceneUpdate scene;
-  foxglove::FrameTransforms frames;
-  frames.transforms.push_back(foxglove::transformOf(subject.now, fieldFrame, blueFieldFrame,
-                                                    spatial({pi, Vector2d::Zero()})));
-  for (const foxglove::TrueBody& robot : truth.robots) {
-    scene.entities.push_back(foxglove::robotEntity(robot, subject.now, fieldFrame));
-    frames.transforms.push_back(
-        foxglove::transformOf(subject.now, fieldFrame, robot.name + "/truth", robot.pose));
+  if (sendsTruth) {
+    foxglove::SceneUpdate scene;
+    for (const foxglove::TrueBody& robot : truth.robots)
+      scene.entities.push_back(foxglove::robotEntity(robot, subject.now, fieldFrame));
+    for (const foxglove::TrueBody& ball : truth.balls)
+      scene.entities.push_back(
+          foxglove::ballEntity(ball, truth.ballRadius, subject.now, fieldFrame));
+    publish(*truth_, subject.now, scene, true);
   }
-  for (const foxglove::TrueBody& ball : truth.balls)
-    scene.entities.push_back(foxglove::ballEntity(ball, truth.ballRadius, subject.now, fieldFrame));
+  if (sendsFrames) publish(*transforms_, subject.now, framesOf(subject, truth), true);
+}
+
+foxglove::FrameTransforms FoxgloveServer::framesOf(const FoxgloveSubject& subject,
+                                                   const FoxgloveTruth& truth) const {
+  foxglove::FrameTransforms frames;
+  const auto add = [&](const std::string& parent, std::string child, const Pose3D& pose) {
+    frames.transforms.push_back(foxglove::transformOf(subject.now, parent, std::move(child), pose));
+  };
+  add(fieldFrame, blueFieldFrame, spatial({pi, Vector2d::Zero()}));
+  for (const foxglove::TrueBody& robot : truth.robots)
+    add(fieldFrame, robot.name + "/truth", robot.pose);
   for (const auto& robot : robots_)
     if (const RobotPose* believed = robot->observed->newest<RobotPose>())
-      frames.transforms.push_back(foxglove::transformOf(subject.now, robot->field(), robot->frame(),
-                                                        spatial(believed->pose)));
-  publish(*truth_, subject.now, scene, true);
-  publish(*transforms_, subject.now, frames, true);
+      add(robot->field(), robot->frame(), spatial(believed->pose));
+  return frames;
 }
 
 void FoxgloveServer::log(const std::string& source, const std::string& text, Severity severity) {
@@ -473,6 +415,10 @@ void FoxgloveServer::log(const std::string& source, const std::string& text, Sev
 template <typename T>
 void FoxgloveServer::publish(Channel& channel, Time time, const T& message, bool newestOnly) {
   if (channel.subscribers.empty()) return;
+  if (!newestOnly && !isTaken(channel, false)) {
+    ++skipped_;
+    return;
+  }
   std::string bytes(encodedSize(message), '\0');
   encodeTo(message, reinterpret_cast<std::byte*>(bytes.data()));
   publish(channel, time, std::move(bytes), newestOnly);
@@ -484,29 +430,11 @@ void FoxgloveServer::publish(Channel& channel, Time time, std::string bytes, boo
     WebSocketMessage message{.binary = true,
                              .head = {messageData},
                              .body = body,
-                             .newestOf = newestOnly ? subscription + 1 : 0};
+                             .newestOf = newestOnly ? placeOf(subscription) : 0};
     append(message.head, subscription, sizeof subscription);
     append(message.head, nanosecondsOf(time), sizeof(std::uint64_t));
     server_->send(client, std::move(message));
   }
-}
-
-void FoxgloveServer::reportFaults(ClientId client, Severity severity,
-                                  const std::vector<Error>& faults) {
-  if (faults.empty()) return;
-  const std::string others =
-      faults.size() == 1 ? "" : " (and " + std::to_string(faults.size() - 1) + " more faults)";
-  status(client, severity, faults.front().text() + others);
-}
-
-void FoxgloveServer::sendJson(ClientId client, const Json& json) {
-  // Texts of robots elsewhere may be any bytes.
-  const auto text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  server_->send(client, {.body = std::make_shared<const std::string>(text), .droppable = false});
-}
-
-void FoxgloveServer::status(ClientId client, Severity severity, const std::string& text) {
-  sendJson(client, {{"op", "status"}, {"level", static_cast<int>(severity)}, {"message", text}});
 }
 
 }  // namespace gt

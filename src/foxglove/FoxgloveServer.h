@@ -1,5 +1,6 @@
 #pragma once
 #include <chrono>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -12,6 +13,7 @@
 #include "foxglove/FoxgloveMessages.h"
 #include "foxglove/WebSocketServer.h"
 #include "observer/ObservedRobot.h"
+#include "representations/infrastructure/Image.h"
 #include "streams/Json.h"
 
 namespace gt {
@@ -64,7 +66,12 @@ class FoxgloveServer {
 
   std::uint16_t port() const { return server_->port(); }
   /// Messages that slow clients did not get.
-  std::uint64_t dropped() const { return server_->dropped(); }
+  std::uint64_t dropped() const { return server_->dropped() + skipped_; }
+  std::size_t viewers() const { return clients_.size(); }
+  /// Who was not let in, and why.
+  std::vector<WebSocketServer::Refusal> refusals() const { return server_->refusals(); }
+  /// The same as lines for the user: of each reason one, once.
+  std::vector<std::string> takeNews();
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -75,6 +82,7 @@ class FoxgloveServer {
     ClientId client;
     std::uint32_t subscription;
   };
+  using Parameters = std::map<std::string, std::string>;  ///< By their whole names.
   struct Robot;
   struct Channel {
     std::uint32_t id = 0;
@@ -98,9 +106,11 @@ class FoxgloveServer {
     std::map<std::uint32_t, Channel*> representations{};  ///< By message ids.
     std::map<std::string, Channel*, std::less<>> scenes{}, images{}, plots{};
     Channel* camera = nullptr;
+    Image image{};  ///< The newest, if it is not sent yet.
+    bool imageSent = true;
     Time lastImage = never();
     std::map<std::string, Drawn> drawn{};
-    std::map<std::string, std::string> parameters{};  ///< As they were sent last.
+    Parameters parameters{};  ///< As they were sent last.
     std::shared_ptr<const void> passing{};
     std::string field() const;
     std::string frame() const { return observed->name(); }
@@ -109,11 +119,22 @@ class FoxgloveServer {
     std::map<std::uint32_t, Channel*> subscriptions{};
     /// Those that it wants to know when they change: names that there are.
     std::set<std::string> parameters{};
+    std::deque<WebSocketServer::Event> requests{};  ///< Not answered yet.
+    Clock::time_point pausedUntil{};
+  };
+  /// When something was sent that changes all the time.
+  struct Paced {
+    Time time = never();
+    Clock::time_point sent{};
   };
 
   FoxgloveServer(std::unique_ptr<WebSocketServer> server, std::string name);
 
-  void take(const WebSocketServer::Event& event, const FoxgloveSubject& subject);
+  void take(WebSocketServer::Event event);
+  void greet(ClientId id);
+  void serveClients(const FoxgloveSubject& subject);
+  void answer(ClientId id, Client& client, const WebSocketServer::Event& event,
+              const FoxgloveSubject& subject);
   void perform(ClientId id, Client& client, const FoxgloveRequest& request,
                const FoxgloveSubject& subject);
   void subscribe(ClientId id, Client& client, const std::vector<FoxgloveSubscription>& wanted);
@@ -130,16 +151,22 @@ class FoxgloveServer {
   void takeDrawing(Robot& robot, const Message& message);
   void takeImage(Robot& robot, const Message& message);
   void publishNew(const FoxgloveSubject& subject);
+  void publishImages();
   void publishDrawings();
   void publishWorld(const FoxgloveSubject& subject);
+  foxglove::FrameTransforms framesOf(const FoxgloveSubject& subject,
+                                     const FoxgloveTruth& truth) const;
+  bool isTaken(const Channel& channel, bool newestOnly) const;
+  bool isDue(Paced& paced, const Channel& channel, Time now) const;
   template <typename T>
   void publish(Channel& channel, Time time, const T& message, bool newestOnly);
   void publish(Channel& channel, Time time, std::string bytes, bool newestOnly);
 
-  std::map<std::string, std::string> parametersOf(Robot& robot);
+  Parameters parametersOf(Robot& robot);
   Robot* robotOf(std::string_view parameter);
   void sendParameters(ClientId client, const std::vector<std::string>& names,
                       const std::string& answers);
+  void sendParameters(ClientId client, Json list, const std::string& answers);
   void setParameters(ClientId client, const FoxgloveRequest& request,
                      const FoxgloveSubject& subject);
   void subscribeParameters(Client& client, const std::vector<std::string>& names);
@@ -159,8 +186,10 @@ class FoxgloveServer {
   std::uint32_t lastChannel_ = 0;
   Channel *field_ = nullptr, *truth_ = nullptr, *transforms_ = nullptr, *log_ = nullptr;
   Time now_;
-  Time worldTime_ = never();
-  Clock::time_point worldSent_, timeSent_, fieldSent_, robotsSought_, parametersAsked_;
+  Paced truthPaced_, framesPaced_;
+  std::uint64_t skipped_ = 0;       ///< Messages that nobody would have taken.
+  std::set<std::string> reported_;  ///< Reasons of refusals.
+  Clock::time_point newsAsked_, timeSent_, fieldSent_, robotsSought_, parametersAsked_;
   std::size_t nextToAsk_ = 0;
 };
 

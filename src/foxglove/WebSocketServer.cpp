@@ -10,12 +10,9 @@
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
-#include <list>
 #include <map>
 #include <mutex>
-#include <optional>
 #include <thread>
-#include <unordered_map>
 #include <utility>
 
 #include "network/LoopbackPeer.h"
@@ -35,20 +32,47 @@ constexpr std::size_t longestRequest = 16 << 10;
 constexpr int sendBuffer = 256 << 10;  ///< Bytes.
 /// A client is not read while so much of it was not taken yet.
 constexpr std::size_t mostUnreadEvents = 64, mostUnreadBytes = 1 << 20;
-/// A client is disconnected if so many times `mostWaiting` wait for it.
-constexpr std::size_t muchMore = 16;
-/// Bytes that a message or an event takes beside its text.
+/// Bytes that an event takes beside its text.
 constexpr std::size_t overhead = 128;
 constexpr std::chrono::seconds patience{30};
 /// Without descriptors, until the next connection is accepted.
 constexpr std::chrono::milliseconds acceptAgain{100};
 
+using Request = http::request<http::empty_body>;
+
+/// A list may stand in several lines of a header, which mean the same as one (RFC 9110, 5.3).
+void joinLines(Request& request, http::field name) {
+  std::string all;
+  const auto [first, last] = request.equal_range(name);
+  for (auto line = first; line != last; ++line) {
+    if (!all.empty()) all += ", ";
+    all.append(line->value().data(), line->value().size());
+  }
+  if (!all.empty()) request.set(name, all);
+}
+
 /// The first of the server's subprotocols that a client offers; empty if there is none.
-std::string chosen(std::string_view offered, const std::vector<std::string>& known) {
+std::string chosen(const Request& request, const std::vector<std::string>& known) {
+  const auto offered = request[http::field::sec_websocket_protocol];
   for (const std::string& protocol : known)
-    for (const auto& word : http::token_list{{offered.data(), offered.size()}})
+    for (const auto& word : http::token_list{offered})
       if (word == protocol) return protocol;
   return "";
+}
+
+/// Of who has connected; empty if it is gone already.
+std::string addressOf(const tcp::socket& socket) {
+  error_code gone;
+  const auto peer = socket.remote_endpoint(gone);
+  return gone ? "" : peer.address().to_string();
+}
+
+/// Names in a sentence.
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return text;
 }
 
 /// Whether a page may connect that a browser has loaded from there. A browser lets any page connect
@@ -63,10 +87,6 @@ bool isTrusted(std::string_view origin, const std::vector<std::string>& trusted)
       return true;
   }
   return false;
-}
-
-std::size_t sizeOf(const WebSocketMessage& message) {
-  return overhead + message.head.size() + message.body->size();
 }
 
 }  // namespace
@@ -109,21 +129,40 @@ class WebSocketServer::Server {
   std::vector<Event> take() {
     if (!news_) return {};
     std::vector<Event> events;
-    bool held = false;
-    {
-      const std::lock_guard lock{mutex_};
-      if (failure_) std::rethrow_exception(failure_);
-      events.swap(events_);
-      unread_.clear();
-      unreadBytes_ = 0;
-      held = std::exchange(held_, false);
-      news_ = false;
-    }
-    if (held)
-      asio::post(context_, [this] {
-        for (const auto& [number, connection] : connections_) connection->resume();
-      });
+    const std::lock_guard lock{mutex_};
+    if (failure_) std::rethrow_exception(failure_);
+    events.swap(events_);
+    news_ = false;
     return events;
+  }
+
+  void finish(const Event& event) {
+    const std::lock_guard lock{mutex_};
+    const auto unread = unread_.find(event.client);
+    if (unread == unread_.end()) return;
+    const std::size_t size = overhead + event.data.size();
+    --unread->second.events;
+    unread->second.bytes -= size;
+    unreadBytes_ -= size;
+    if (unread->second.isHeld && !unread->second.isMuch()) {
+      unread->second.isHeld = false;
+      asio::post(context_, [this, client = event.client] {
+        if (const auto found = connections_.find(client); found != connections_.end())
+          found->second->resume();
+      });
+    }
+    if (unread->second.events == 0) unread_.erase(unread);
+  }
+
+  bool takes(std::uint64_t client, std::uint32_t newestOf) {
+    const std::lock_guard lock{mutex_};
+    const auto outbox = outboxes_.find(client);
+    return outbox != outboxes_.end() && outbox->second.takes(newestOf);
+  }
+
+  std::vector<Refusal> refusals() {
+    const std::lock_guard lock{mutex_};
+    return refusals_;
   }
 
   void send(std::uint64_t client, WebSocketMessage message) {
@@ -131,12 +170,13 @@ class WebSocketServer::Server {
       const std::lock_guard lock{mutex_};
       const auto outbox = outboxes_.find(client);
       return outbox == outboxes_.end()
-                 ? Outbox::Outcome::waits
+                 ? WebSocketOutbox::Outcome::waits
                  : outbox->second.put(std::move(message), options_.mostWaiting);
     }();
-    dropped_ += outcome == Outbox::Outcome::dropped;
-    if (outcome != Outbox::Outcome::first && outcome != Outbox::Outcome::full) return;
-    asio::post(context_, [this, client, isFull = outcome == Outbox::Outcome::full] {
+    dropped_ += outcome == WebSocketOutbox::Outcome::dropped;
+    if (outcome != WebSocketOutbox::Outcome::first && outcome != WebSocketOutbox::Outcome::full)
+      return;
+    asio::post(context_, [this, client, isFull = outcome == WebSocketOutbox::Outcome::full] {
       const auto found = connections_.find(client);
       if (found == connections_.end()) return;
       const std::shared_ptr<Connection> connection = found->second;  // lives until it has ended
@@ -156,54 +196,14 @@ class WebSocketServer::Server {
     }
   }
 
-  /// What waits to be sent to one client.
-  class Outbox {
-   public:
-    enum class Outcome { first, waits, dropped, full };
-
-    /// Takes a message if there is room. Returns `first` if nothing is being sent: then it is time
-    /// to take a message.
-    Outcome put(WebSocketMessage message, std::size_t mostWaiting) {
-      if (bytes_ > muchMore * mostWaiting) return Outcome::full;
-      const std::size_t size = sizeOf(message);
-      if (const auto older = newest_.find(message.newestOf); older != newest_.end()) {
-        bytes_ += size - sizeOf(*older->second);
-        *older->second = std::move(message);
-        return Outcome::dropped;
-      }
-      if (message.droppable && bytes_ > 0 && bytes_ + size > mostWaiting) return Outcome::dropped;
-      bytes_ += size;
-      waiting_.push_back(std::move(message));
-      if (waiting_.back().newestOf != 0)
-        newest_[waiting_.back().newestOf] = std::prev(waiting_.end());
-      return std::exchange(isSending_, true) ? Outcome::waits : Outcome::first;
-    }
-    /// The next message to send, the one before it being sent.
-    std::optional<WebSocketMessage> take() {
-      bytes_ -= std::exchange(sending_, 0);
-      isSending_ = !waiting_.empty();
-      if (!isSending_) return {};
-      WebSocketMessage message = std::move(waiting_.front());
-      waiting_.pop_front();
-      newest_.erase(message.newestOf);
-      sending_ = sizeOf(message);
-      return message;
-    }
-
-   private:
-    std::list<WebSocketMessage> waiting_;
-    /// Those of `waiting_` that the next one of their number replaces.
-    std::unordered_map<std::uint32_t, std::list<WebSocketMessage>::iterator> newest_;
-    std::size_t bytes_ = 0;    ///< Of what waits and what is being sent.
-    std::size_t sending_ = 0;  ///< Bytes of the message that is being sent.
-    bool isSending_ = false;
-  };
-
   /// One client. All of it runs on the server's thread.
   class Connection : public std::enable_shared_from_this<Connection> {
    public:
     Connection(Server& server, std::uint64_t number, tcp::socket socket)
-        : server_{server}, number_{number}, stream_{std::move(socket)} {}
+        : server_{server},
+          number_{number},
+          address_{addressOf(socket)},
+          stream_{std::move(socket)} {}
 
     void run() {
       parser_.body_limit(0);
@@ -228,6 +228,11 @@ class WebSocketServer::Server {
                           });
     }
 
+    /// It leaves for who comes later.
+    void displace() {
+      server_.countRefusal(address_, "it asked for nothing");
+      end();
+    }
     /// Whether it has become a client, or is about to.
     bool isClient() const { return isClient_; }
     void resume() {
@@ -243,22 +248,28 @@ class WebSocketServer::Server {
 
    private:
     void requested(error_code failed) {
+      if (failed == beast::error::timeout)
+        server_.countRefusal(address_, "it asked for nothing");
+      else if (failed.category() == http::make_error_code(http::error::bad_method).category() &&
+               failed != http::error::end_of_stream && failed != http::error::partial_message)
+        server_.countRefusal(address_, "its request is none of HTTP");
       if (failed) return end();
-      const auto& request = parser_.get();
-      const auto offered = request[http::field::sec_websocket_protocol];
-      const std::string protocol =
-          chosen({offered.data(), offered.size()}, server_.options_.subprotocols);
+      Request& request = parser_.get();
+      for (const auto list :
+           {http::field::connection, http::field::upgrade, http::field::sec_websocket_protocol})
+        joinLines(request, list);
+      const std::string protocol = chosen(request, server_.options_.subprotocols);
       if (!websocket::is_upgrade(request) || protocol.empty())
-        return refuse(http::status::bad_request, "This is a WebSocket server of the subprotocol " +
-                                                     server_.options_.subprotocols.front() + ".\n");
+        return refuse(http::status::bad_request, "This is a WebSocket server of the subprotocols " +
+                                                     listed(server_.options_.subprotocols) + ".");
       const auto origin = request[http::field::origin];
       if (!isTrusted({origin.data(), origin.size()}, server_.options_.origins))
-        return refuse(http::status::forbidden, "Pages from there may not connect.\n");
+        return refuse(http::status::forbidden, "Pages from there may not connect.");
       const int file = beast::get_lowest_layer(stream_).socket().native_handle();
       if (isOverLoopback(file) && !isPeerOfThisUser(file))
-        return refuse(http::status::forbidden, "This server is another user's.\n");
+        return refuse(http::status::forbidden, "This server is another user's.");
       if (!server_.hasRoom())
-        return refuse(http::status::service_unavailable, "There are too many clients.\n");
+        return refuse(http::status::service_unavailable, "There are too many clients.");
       isClient_ = true;
       beast::get_lowest_layer(stream_).expires_never();
       stream_.set_option(
@@ -282,10 +293,11 @@ class WebSocketServer::Server {
     }
 
     void refuse(http::status status, const std::string& why) {
+      server_.countRefusal(address_, why);
       auto response = std::make_shared<http::response<http::string_body>>(status, 11);
       response->set(http::field::content_type, "text/plain");
       response->keep_alive(false);
-      response->body() = why;
+      response->body() = why + "\n";
       response->prepare_payload();
       http::async_write(
           stream_.next_layer(), *response,
@@ -306,6 +318,7 @@ class WebSocketServer::Server {
 
     Server& server_;
     const std::uint64_t number_;
+    const std::string address_;
     websocket::stream<beast::tcp_stream> stream_;
     beast::flat_buffer buffer_;
     http::request_parser<http::empty_body> parser_;
@@ -340,7 +353,16 @@ class WebSocketServer::Server {
     if (strangers < static_cast<std::ptrdiff_t>(options_.mostStrangers)) return;
     const std::shared_ptr<Connection> oldest =  // lives until it has ended
         std::ranges::find_if(connections_, isStranger)->second;
-    oldest->end();
+    oldest->displace();
+  }
+
+  void countRefusal(const std::string& who, const std::string& why) {
+    const std::lock_guard lock{mutex_};
+    const auto known = std::ranges::find(refusals_, why, &Refusal::why);
+    if (known == refusals_.end())
+      refusals_.push_back({why, who, 1});
+    else
+      ++known->count;
   }
 
   /// Whether one more client has room: for itself, and for what it may send.
@@ -378,15 +400,17 @@ class WebSocketServer::Server {
     ++unread.events;
     unread.bytes += size;
     unreadBytes_ += size;
+    unread.isHeld = unread.isMuch();
     events_.push_back(std::move(event));
     news_ = true;
-    const bool isMuch = unread.events >= mostUnreadEvents || unread.bytes >= mostUnreadBytes;
-    held_ = held_ || isMuch;
-    return !isMuch;
+    return !unread.isHeld;
   }
 
   struct Unread {
     std::size_t events = 0, bytes = 0;
+    bool isHeld = false;  ///< The client is not read until some are finished.
+
+    bool isMuch() const { return events >= mostUnreadEvents || bytes >= mostUnreadBytes; }
   };
 
   const Options options_;
@@ -397,12 +421,12 @@ class WebSocketServer::Server {
   std::map<std::uint64_t, std::shared_ptr<Connection>> connections_;
   std::uint64_t numbers_ = 0;
   std::mutex mutex_;  ///< Of all that follows, unless it is atomic.
-  std::map<std::uint64_t, Outbox> outboxes_;
+  std::map<std::uint64_t, WebSocketOutbox> outboxes_;
   std::vector<Event> events_;
-  std::map<std::uint64_t, Unread> unread_;  ///< Of each client's events, since they were taken.
+  std::map<std::uint64_t, Unread> unread_;  ///< Of each client's events that are not finished.
   std::size_t unreadBytes_ = 0;             ///< Of all.
-  bool held_ = false;                       ///< A client is not read until they are taken.
-  std::exception_ptr failure_;              ///< Of the server's thread, which has ended then.
+  std::vector<Refusal> refusals_;
+  std::exception_ptr failure_;  ///< Of the server's thread, which has ended then.
   std::atomic<bool> news_ = false;
   std::atomic<std::uint64_t> dropped_ = 0;
   std::thread thread_;
@@ -423,6 +447,18 @@ std::uint16_t WebSocketServer::port() const {
 
 std::vector<WebSocketServer::Event> WebSocketServer::take() {
   return server_->take();
+}
+
+void WebSocketServer::finish(const Event& event) {
+  server_->finish(event);
+}
+
+bool WebSocketServer::takes(std::uint64_t client, std::uint32_t newestOf) const {
+  return server_->takes(client, newestOf);
+}
+
+std::vector<WebSocketServer::Refusal> WebSocketServer::refusals() const {
+  return server_->refusals();
 }
 
 void WebSocketServer::send(std::uint64_t client, WebSocketMessage message) {

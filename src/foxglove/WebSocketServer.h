@@ -7,19 +7,9 @@
 #include <vector>
 
 #include "base/Result.h"
+#include "foxglove/WebSocketOutbox.h"
 
 namespace gt {
-
-/// A message for a client of a WebSocketServer. What is sent to many clients is kept once.
-struct WebSocketMessage {
-  bool binary = false;
-  std::string head{};  ///< Of this client.
-  std::shared_ptr<const std::string> body{};
-  /// A message that still waits to be sent is replaced by the next one of the same number, so that
-  /// slow clients get the newest; 0: it is sent even if it waits, or dropped if too much waits.
-  std::uint32_t newestOf = 0;
-  bool droppable = true;  ///< A client that does not take what is not droppable is disconnected.
-};
 
 /// A server of the WebSocket protocol (RFC 6455) on a thread of its own. Its functions are called
 /// by one thread and never wait for the network. Memory is bounded for each client, in both
@@ -53,14 +43,28 @@ class WebSocketServer {
   WebSocketServer(const WebSocketServer&) = delete;
   WebSocketServer& operator=(const WebSocketServer&) = delete;
 
+  /// Who was not let in.
+  struct Refusal {
+    std::string why;    ///< A sentence.
+    std::string first;  ///< The address of the first one.
+    std::uint64_t count = 0;
+  };
+
   std::uint16_t port() const;
   /// What has happened since this was called last. Costs next to nothing if that is nothing. Throws
   /// what has ended the server's thread, such as a lack of memory.
   std::vector<Event> take();
+  /// An event was dealt with. While many of a client were not, it is not read.
+  void finish(const Event& event);
+  /// Whether the client would get a droppable message. Otherwise nobody has to make one: so much
+  /// waits for it that it would be dropped, or of a number an older one still waits.
+  bool takes(std::uint64_t client, std::uint32_t newestOf = 0) const;
   /// Sends a message as soon as the client takes it. A client that is gone is no error.
   void send(std::uint64_t client, WebSocketMessage message);
   /// Messages that were dropped for clients that were too slow, or replaced by newer ones.
   std::uint64_t dropped() const;
+  /// One of each reason.
+  std::vector<Refusal> refusals() const;
 
  private:
   class Server;

@@ -23,7 +23,7 @@ using testing::TestViewer;
 class WebSocketServerTest : public ::testing::Test {
  protected:
   void open(WebSocketServer::Options options = {}) {
-    options.subprotocols = {"foxglove.sdk.v1"};
+    options.subprotocols = {"foxglove.sdk.v1", "two"};
     auto opened = WebSocketServer::open(options);
     ASSERT_TRUE(opened) << opened.error().text();
     server = std::move(*opened);
@@ -55,11 +55,17 @@ class WebSocketServerTest : public ::testing::Test {
     }
     return true;
   }
+  /// Takes what has happened, and has dealt with it.
+  std::vector<WebSocketServer::Event> take() {
+    auto events = server->take();
+    for (const auto& event : events) server->finish(event);
+    return events;
+  }
   /// Takes events until a client has connected.
   std::uint64_t takeClient() {
     std::uint64_t client = 0;
     EXPECT_TRUE(waitFor([&] {
-      for (const auto& event : server->take())
+      for (const auto& event : take())
         if (event.kind == WebSocketServer::EventKind::connected) client = event.client;
       return client != 0;
     }));
@@ -118,9 +124,8 @@ TEST_F(WebSocketServerTest, DisconnectsAViewerThatTakesNothing) {
   EXPECT_TRUE(waitFor([&] {
     server->send(client, {.body = body, .droppable = false});
     most = std::max(most, body.use_count());
-    return std::ranges::any_of(server->take(), [](const auto& event) {
-      return event.kind == WebSocketServer::EventKind::closed;
-    });
+    return std::ranges::any_of(
+        take(), [](const auto& event) { return event.kind == WebSocketServer::EventKind::closed; });
   }));
   EXPECT_LE(most, 1 + 17);
 }
@@ -138,12 +143,39 @@ TEST_F(WebSocketServerTest, ReadsNoMoreThanIsTaken) {
   std::size_t received = 0, mostAtOnce = 0;
   EXPECT_TRUE(waitFor([&] {
     std::size_t bytes = 0;
-    for (const auto& event : server->take()) bytes += event.data.size();
+    for (const auto& event : take()) bytes += event.data.size();
     mostAtOnce = std::max(mostAtOnce, bytes);
     received += bytes;
     return received == count * size;
   })) << "but all of it in the end";
   EXPECT_LE(mostAtOnce, 3 * size);
+  sender.join();
+}
+
+/// Taking is not dealing with: what a client has sent waits for its turn.
+TEST_F(WebSocketServerTest, ReadsNoMoreThanIsDealtWith) {
+  open();
+  auto viewer = connect();
+  ASSERT_TRUE(viewer);
+  takeClient();
+  constexpr std::size_t count = 1000;
+  std::thread sender{[&] {
+    for (std::size_t i = 0; i < count; ++i) viewer->send("x");
+  }};
+  std::vector<WebSocketServer::Event> waiting;
+  const auto more = [&] {
+    for (auto& event : server->take()) waiting.push_back(std::move(event));
+    return waiting.size();
+  };
+  EXPECT_TRUE(waitFor([&] { return more() == 64; }));
+  std::this_thread::sleep_for(milliseconds{200});
+  EXPECT_EQ(more(), 64u);
+  std::size_t received = 0;
+  EXPECT_TRUE(waitFor([&] {
+    received += more();
+    for (const auto& event : std::exchange(waiting, {})) server->finish(event);
+    return received == count;
+  }));
   sender.join();
 }
 
@@ -159,7 +191,7 @@ TEST_F(WebSocketServerTest, ReadsNoMoreSmallMessagesThanAreTaken) {
   std::this_thread::sleep_for(milliseconds{200});
   std::size_t received = 0, mostAtOnce = 0;
   EXPECT_TRUE(waitFor([&] {
-    const std::size_t events = server->take().size();
+    const std::size_t events = take().size();
     mostAtOnce = std::max(mostAtOnce, events);
     received += events;
     return received == count;
@@ -189,8 +221,73 @@ TEST_F(WebSocketServerTest, LetsNobodyInWhileMuchIsNotTaken) {
       if (connect()) return false;
     return true;
   }));
-  server->take();
+  take();
   EXPECT_TRUE(waitFor([&] { return connect().has_value(); }));
+}
+
+/// A list may stand in several lines of a request's header.
+TEST_F(WebSocketServerTest, TakesListsInSeveralLines) {
+  using boost::beast::http::field;
+  open();
+  const auto answer = [&](std::vector<TestViewer::Line> lines) {
+    lines.emplace_back(field::upgrade, "websocket");
+    return TestViewer::answerTo(server->port(), lines);
+  };
+  const TestViewer::Line upgrade{field::connection, "Upgrade"},
+      keep{field::connection, "keep-alive"}, ours{field::sec_websocket_protocol, "foxglove.sdk.v1"},
+      other{field::sec_websocket_protocol, "chat, x"};
+  EXPECT_EQ(answer({upgrade, other, ours}), 101u);
+  EXPECT_EQ(answer({upgrade, ours, other}), 101u);
+  EXPECT_EQ(answer({keep, upgrade, ours}), 101u);
+  EXPECT_EQ(answer({upgrade, keep, ours}), 101u);
+  EXPECT_EQ(answer({upgrade, other, other}), 400u);
+  EXPECT_EQ(answer({keep, ours}), 400u);
+}
+
+TEST_F(WebSocketServerTest, CountsWhomItDoesNotLetIn) {
+  using boost::beast::http::field;
+  open({.mostClients = 1, .introduction = milliseconds{1000}});
+  const std::vector<TestViewer::Line> none;
+  std::string why;
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(TestViewer::answerTo(server->port(), none, &why), 400u);
+  EXPECT_EQ(why, "This is a WebSocket server of the subprotocols foxglove.sdk.v1 and two.\n");
+  EXPECT_EQ(TestViewer::answerTo(server->port(), "https://elsewhere.example"), 403u);
+  const auto viewer = connect();
+  EXPECT_EQ(TestViewer::answerTo(server->port(), ""), 503u);
+  const FileDescriptor silent = stranger(), talkative = stranger();
+  EXPECT_EQ(::send(talkative.number(), "HELLO\r\n\r\n", 9, 0), 9);
+  const auto refused = [&](std::string_view part) {
+    for (const auto& refusal : server->refusals())
+      if (refusal.why.find(part) != refusal.why.npos) {
+        EXPECT_EQ(refusal.first, "127.0.0.1");
+        return refusal.count;
+      }
+    return std::uint64_t{0};
+  };
+  EXPECT_EQ(refused("subprotocols"), 3u);
+  EXPECT_EQ(refused("Pages"), 1u);
+  EXPECT_EQ(refused("too many"), 1u);
+  EXPECT_TRUE(waitFor([&] { return refused("asked for nothing") == 1; }));
+  EXPECT_TRUE(waitFor([&] { return refused("none of HTTP") == 1; }));
+}
+
+TEST_F(WebSocketServerTest, SendsWhatIsUrgentBeforeWhatWaits) {
+  open();
+  auto viewer = connect();
+  ASSERT_TRUE(viewer);
+  const std::uint64_t client = takeClient();
+  const auto much = std::make_shared<const std::string>(500'000, 'x');
+  constexpr std::size_t count = 7;
+  for (std::size_t i = 0; i < count; ++i)
+    server->send(client, {.binary = true, .head = std::string(13, '\1'), .body = much});
+  server->send(client, {.body = std::make_shared<const std::string>("{\"op\":1}"),
+                        .droppable = false,
+                        .urgent = true});
+  EXPECT_TRUE(waitFor([&] {
+    viewer->read();
+    return viewer->data.size() == count && !viewer->texts.empty();
+  }));
+  EXPECT_LE(viewer->dataBefore.front(), 2u) << "what was being sent, and what the system holds";
 }
 
 TEST_F(WebSocketServerTest, IdleConnectionsLockNobodyOut) {
@@ -211,7 +308,7 @@ TEST_F(WebSocketServerTest, ConnectionsThatAskForNothingAreClosed) {
   takeClient();
   EXPECT_TRUE(waitFor([&] { return isClosed(idle); }));
   std::this_thread::sleep_for(milliseconds{300});
-  EXPECT_THAT(server->take(), ::testing::IsEmpty()) << "but not a viewer that only listens";
+  EXPECT_THAT(take(), ::testing::IsEmpty()) << "but not a viewer that only listens";
 }
 
 TEST_F(WebSocketServerTest, OnlySoManyViewersAreLetIn) {

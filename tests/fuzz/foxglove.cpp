@@ -11,7 +11,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (!request) return 0;
     for (const auto& parameter : request->parameters)
       if (const auto text = gt::parameterText(parameter.value))
-        static_cast<void>(gt::parameterJson(*text));
+        static_cast<void>(gt::parameterJson(parameter.name, *text));
+    static_cast<void>(gt::parameterJson("x", std::string{gt::textOf(data, size)}));
     return 0;
   }
   gt::Drawing drawing;

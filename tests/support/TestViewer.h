@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "streams/Json.h"
@@ -40,26 +41,40 @@ class TestViewer {
     viewer.subprotocol = std::string{response[boost::beast::http::field::sec_websocket_protocol]};
     return viewer;
   }
-  /// The status with which the server answers a browser that has loaded its page from an origin; 0
-  /// if it does not answer.
-  static unsigned answerTo(std::uint16_t port, const std::string& origin) {
+  /// A line of a request's header.
+  using Line = std::pair<boost::beast::http::field, std::string>;
+  /// The status with which the server answers a request that has these lines beside what each has;
+  /// 0 if it does not answer. `why` is what it says.
+  static unsigned answerTo(std::uint16_t port, const std::vector<Line>& lines,
+                           std::string* why = nullptr) {
     namespace http = boost::beast::http;
     TestViewer viewer;
     boost::beast::error_code failed;
     viewer.connectTo(port, failed);
     http::request<http::empty_body> request{http::verb::get, "/", 11};
     request.set(http::field::host, "localhost");
-    request.set(http::field::connection, "upgrade");
-    request.set(http::field::upgrade, "websocket");
     request.set(http::field::sec_websocket_version, "13");
     request.set(http::field::sec_websocket_key, "dGhlIHNhbXBsZSBub25jZQ==");
-    request.set(http::field::sec_websocket_protocol, "foxglove.sdk.v1");
-    if (!origin.empty()) request.set(http::field::origin, origin);
+    for (const auto& [field, value] : lines) request.insert(field, value);
     http::response_parser<http::string_body> response;
     boost::beast::flat_buffer buffer;
     if (!failed) http::write(viewer.socket(), request, failed);
     if (!failed) http::read_header(viewer.socket(), buffer, response, failed);
-    return failed ? 0 : response.get().result_int();
+    if (failed) return 0;
+    const unsigned status = response.get().result_int();
+    if (status != 101) http::read(viewer.socket(), buffer, response, failed);
+    if (why) *why = response.get().body();
+    return status;
+  }
+  /// The status with which the server answers a browser that has loaded its page from an origin; 0
+  /// if it does not answer.
+  static unsigned answerTo(std::uint16_t port, const std::string& origin) {
+    using boost::beast::http::field;
+    std::vector<Line> lines{{field::connection, "upgrade"},
+                            {field::upgrade, "websocket"},
+                            {field::sec_websocket_protocol, "foxglove.sdk.v1"}};
+    if (!origin.empty()) lines.emplace_back(field::origin, origin);
+    return answerTo(port, lines);
   }
 
   void send(const std::string& text) {
@@ -90,6 +105,7 @@ class TestViewer {
   bool isOpen = true;
   std::string subprotocol;
   std::vector<Json> texts;
+  std::vector<std::size_t> dataBefore;   ///< How much of `data` has come before each text.
   std::map<std::string, Json> channels;  ///< By topics.
   std::vector<Data> data;
   std::uint64_t time = 0;  ///< ns
@@ -124,6 +140,7 @@ class TestViewer {
       return;
     }
     texts.push_back(*parseJson(message, "server"));
+    dataBefore.push_back(data.size());
     const Json& json = texts.back();
     if (json["op"] == "advertise")
       for (const Json& channel : json["channels"]) channels[channel["topic"]] = channel;

@@ -1,0 +1,53 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+
+namespace gt {
+
+/// A message for a client of a WebSocketServer. What is sent to many clients is kept once.
+struct WebSocketMessage {
+  bool binary = false;
+  std::string head{};  ///< Of this client.
+  std::shared_ptr<const std::string> body{};
+  /// A message that still waits to be sent is replaced by the next one of the same number, so that
+  /// slow clients get the newest; 0: it is sent even if it waits, or dropped if too much waits.
+  std::uint32_t newestOf = 0;
+  bool droppable = true;  ///< A client that does not take what is not droppable is disconnected.
+  bool urgent = false;    ///< Is sent before all that waits and is not.
+};
+
+/// What waits to be sent to one client.
+class WebSocketOutbox {
+ public:
+  enum class Outcome { first, waits, dropped, full };
+
+  /// Takes a message if there is room: up to so many bytes before messages are dropped. Returns
+  /// `first` if nothing is being sent: then it is time to take a message. Returns `full` if a
+  /// client does not take what is not droppable.
+  Outcome put(WebSocketMessage message, std::size_t mostWaiting);
+  /// Whether a droppable message would be sent: nothing was dropped since the last one was taken,
+  /// and none of the same number waits.
+  bool takes(std::uint32_t newestOf) const {
+    return newestOf == 0 ? !isFull_ : !newest_.contains(newestOf);
+  }
+  /// The next message to send, the one before it being sent.
+  std::optional<WebSocketMessage> take();
+
+ private:
+  std::deque<WebSocketMessage> urgent_;
+  std::list<WebSocketMessage> waiting_;
+  /// Those of `waiting_` that the next one of their number replaces.
+  std::unordered_map<std::uint32_t, std::list<WebSocketMessage>::iterator> newest_;
+  std::size_t bytes_ = 0;    ///< Of what waits and what is being sent.
+  std::size_t sending_ = 0;  ///< Bytes of the message that is being sent.
+  bool isSending_ = false;
+  bool isFull_ = false;  ///< A message was dropped since the last one was taken.
+};
+
+}  // namespace gt
