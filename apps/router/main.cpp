@@ -90,6 +90,9 @@ void report(const gt::Router& router) {
   for (const auto& s : router.statistics())
     fmt::print("{}: {}, {} tools; {} messages to tools, {} to the robot, {} dropped, {} rejected\n",
                s.robot, state(s), s.tools, s.toTools, s.toRobot, s.dropped, s.rejected);
+  for (const auto& [name, refusals] : router.refusals())
+    if (const std::string text = gt::describe(refusals); !text.empty())
+      fmt::print("{}: {}\n", name, text);
   if (router.routers() > 0) fmt::print("{} other routers\n", router.routers());
   std::fflush(stdout);
 }
@@ -114,12 +117,16 @@ gt::Result<void> run(gt::Router& router, gt::RobotList& robots, const gt::Router
     if (viewers) report(viewers->server());
     report(router);
   };
-  std::int64_t reported = 0;
+  std::int64_t reported = 0, looked = 0;
   while (!signals.received()) {
     router.step(10);
     if (robots.searches()) serve(router, robots, settings);
     if (viewers)
       if (auto done = viewers->update(); !done) return done;
+    if (router.elapsed() - looked >= 1000) {
+      looked = router.elapsed();
+      for (const std::string& line : router.takeNews()) fmt::print(stderr, "router: {}\n", line);
+    }
     if (viewers)
       for (const std::string& line : viewers->takeNews()) fmt::print(stderr, "router: {}\n", line);
     if (!verbose || router.elapsed() - reported < 10'000) continue;

@@ -1,4 +1,5 @@
 #include "console/TestSession.h"
+#include "network/ToolPort.h"
 
 namespace gt {
 namespace {
@@ -27,6 +28,15 @@ TEST_F(ConnectionCommands, SendsToMessageQueues) {
   expectError("to simulatedRobot run 1", "run", "no command for selected robots");
   expectError("to simulatedRobot sr Poet Rilke", "Poet", "no process solves this task");
   EXPECT_THAT(console->selection(), testing::IsEmpty());
+}
+
+TEST_F(ConnectionCommands, TellWhyARobotIsNotReached) {
+  ASSERT_TRUE(makeKeys(file("keys")));
+  Network network;
+  const auto dog = *ToolPort::open(network, "tcp://127.0.0.1:*", *loadKeys(file("keys/robot.key")));
+  EXPECT_THAT(answers("sc dog=" + dog->endpoint()),
+              testing::Contains("router: dog does not answer (it asks for a key, and this side has "
+                                "none); it is connected as soon as it does"));
 }
 
 }  // namespace

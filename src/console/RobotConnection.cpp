@@ -64,11 +64,10 @@ void RobotConnection::step() {
   router_->step(0);
 }
 
-std::vector<std::string> RobotConnection::silent() const {
-  std::vector<std::string> names;
-  for (const auto& robot : router_->statistics())
-    if (!robot.connected) names.push_back(robot.robot);
-  return names;
+std::vector<Router::Statistics> RobotConnection::silent() const {
+  auto robots = router_->statistics();
+  std::erase_if(robots, [](const auto& robot) { return robot.connected; });
+  return robots;
 }
 
 std::vector<std::string> RobotConnection::news() {

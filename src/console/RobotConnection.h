@@ -32,7 +32,7 @@ class RobotConnection {
   /// State of each robot's connection, and how many messages went through it.
   std::vector<Router::Statistics> statistics() const { return router_->statistics(); }
   /// The robots that are not connected.
-  std::vector<std::string> silent() const;
+  std::vector<Router::Statistics> silent() const;
 
  private:
   RobotConnection() = default;

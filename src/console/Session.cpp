@@ -325,8 +325,10 @@ Result<void> Session::connect(const std::vector<std::string>& robots, bool gameM
   if (gameManager) screen_.print("game manager: " + state_.connection->gameManager());
   waitFor([&] { return state_.connection->silent().empty(); }, connecting);
   reportNews();
-  for (const std::string& robot : state_.connection->silent())
-    screen_.print("router: " + robot + " does not answer; it is connected as soon as it does");
+  for (const auto& robot : state_.connection->silent())
+    screen_.print("router: " + robot.robot + " does not answer" +
+                  (robot.trouble.empty() ? "" : " (" + robot.trouble + ")") +
+                  "; it is connected as soon as it does");
   return {};
 }
 

@@ -316,7 +316,12 @@ void LocalSocket::accept() {
     FileDescriptor socket{
         accept4(listening_.number(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC)};
     if (!socket) break;
-    if (isTrusted(socket) && hasRoom()) add(std::move(socket));
+    if (!isTrusted(socket))
+      ++refusals_[Refusal::otherUser];
+    else if (!hasRoom())
+      ++refusals_[Refusal::noPlace];
+    else
+      add(std::move(socket));
   }
   if (errno != EMFILE && errno != ENFILE && errno != ENOBUFS && errno != ENOMEM) return;
   // Whoever waits would wake the program again and again.
@@ -337,6 +342,7 @@ bool LocalSocket::hasRoom() {
       std::ranges::find_if(connections_, [](const auto& c) { return !c->name(); });
   if (stranger == connections_.end()) return false;
   connections_.erase(stranger);
+  ++refusals_[Refusal::silent];
   return true;
 }
 
@@ -377,6 +383,7 @@ bool LocalSocket::receive(Received& received) {
     if (stranger && connection.name()) welcome(connection);
     if (outcome == LocalConnection::Outcome::frame) {
       received.peer = *connection.name();
+      received.address = {};
       return true;
     }
     rejected_ += outcome == LocalConnection::Outcome::garbage;

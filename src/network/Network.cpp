@@ -34,6 +34,39 @@ bool isLocal(std::string_view endpoint) {
          begins(endpoint, "tcp://[::1]:");
 }
 
+std::string_view describe(Refusal reason) {
+  switch (reason) {
+    case Refusal::wrongKey:
+      return "the key does not fit, or one of both sides has none";
+    case Refusal::unknownKey:
+      return "the key is not known";
+    case Refusal::otherUser:
+      return "another user's program";
+    case Refusal::noPlace:
+      return "all places are taken";
+    case Refusal::share:
+      return "too many from one address";
+    case Refusal::endless:
+      return "a message without an end";
+    case Refusal::silent:
+      break;
+  }
+  return "sent nothing";
+}
+
+std::string describe(const Refusals& refusals) {
+  std::uint64_t sum = 0;
+  std::string text;
+  for (std::size_t i = 0; i < enumCount<Refusal>; ++i) {
+    const auto reason = static_cast<Refusal>(i);
+    if (refusals[reason] == 0) continue;
+    sum += refusals[reason];
+    text += (text.empty() ? "" : ", ") + std::to_string(refusals[reason]) + " ";
+    text += describe(reason);
+  }
+  return sum == 0 ? "" : std::to_string(sum) + " refused: " + text;
+}
+
 Frame Socket::frame(FrameKind kind, const Topic& topic) const {
   return {kind, topic.type->id, network_.session(), network_.now, {}, topic.schema, topic.receiver};
 }

@@ -159,4 +159,27 @@ std::vector<Router::Statistics> Router::statistics() const {
   return list;
 }
 
+/// Where tools and other routers connect.
+std::vector<std::pair<std::string, ToolPort*>> Router::ports() const {
+  std::vector<std::pair<std::string, ToolPort*>> list;
+  for (const auto& route : routes_)
+    if (route->tools) list.emplace_back(route->robot.name, route->tools.get());
+  if (all_) list.emplace_back("tools of all robots", all_.get());
+  if (routers_) list.emplace_back("other routers", routers_.get());
+  return list;
+}
+
+std::vector<std::pair<std::string, Refusals>> Router::refusals() const {
+  std::vector<std::pair<std::string, Refusals>> list;
+  for (const auto& [name, port] : ports()) list.emplace_back(name, port->refusals());
+  return list;
+}
+
+std::vector<std::string> Router::takeNews() {
+  std::vector<std::string> news;
+  for (const auto& [name, port] : ports())
+    for (const std::string& line : port->takeNews()) news.push_back(name + ": " + line);
+  return news;
+}
+
 }  // namespace gt

@@ -58,6 +58,10 @@ class Router {
     std::uint64_t toTools = 0, toRobot = 0, dropped = 0, rejected = 0;  ///< Messages so far.
   };
   std::vector<Statistics> statistics() const;
+  /// Who was not let in at each port, by its name.
+  std::vector<std::pair<std::string, Refusals>> refusals() const;
+  /// The same as lines for the user that were not taken yet: of each port and reason one, once.
+  std::vector<std::string> takeNews();
   /// How many other routers are there.
   std::size_t routers() const;
   /// Milliseconds since it was opened.
@@ -90,6 +94,7 @@ class Router {
   void notifyTeammates(const RoutedTeamMessage& routed, const Route* from);
   void exchangeWithRouters();
   void askForTeamMessages(Route& route);
+  std::vector<std::pair<std::string, ToolPort*>> ports() const;
 
   std::optional<Keys> listenKeys_, connectKeys_;
   Network network_;

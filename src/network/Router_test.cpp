@@ -195,6 +195,11 @@ TEST(Routers, LetInOnlyWhoHoldsTheKey) {
   for (int i = 0; i < 300; ++i) step();
   EXPECT_EQ(router->routers(), 1u);
   EXPECT_EQ(stranger->routers() + without->routers(), 0u);
+  ASSERT_TRUE(
+      eventually([&] { return router->refusals().at(0).second[Refusal::wrongKey] >= 2; }, step));
+  EXPECT_EQ(router->refusals()[0].first, "other routers");
+  EXPECT_EQ(router->takeNews(), std::vector<std::string>{"other routers: a tool is not let in: " +
+                                                         std::string{describe(Refusal::wrongKey)}});
 }
 
 TEST(RouterOptions, OtherMachinesNeedKeys) {

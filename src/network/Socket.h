@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/Enum.h"
 #include "framework/Representation.h"
 #include "network/Frame.h"
 
@@ -12,9 +13,19 @@ class Network;
 
 /// A message as it came in; views into the socket's memory until the next one.
 struct Received {
-  std::string_view peer;  ///< Who sent it, where several may; empty otherwise.
+  std::string_view peer;     ///< Who sent it, where several may; empty otherwise.
+  std::string_view address;  ///< Of the sender, as far as it is known: of IP.
   Frame frame;
 };
+
+/// Why somebody is not let in, or is sent away.
+enum class Refusal { wrongKey, unknownKey, otherUser, noPlace, share, endless, silent };
+/// How many were, for each reason.
+using Refusals = EnumArray<Refusal, std::uint64_t>;
+/// A reason in words.
+std::string_view describe(Refusal reason);
+/// How many were refused, and why: "3 refused: 2 sent nothing, 1 ..."; empty if nobody was.
+std::string describe(const Refusals& refusals);
 
 /// What a frame is about: the packages of a type for one receiver.
 struct Topic {
@@ -31,6 +42,7 @@ struct SocketLimits {
   int frames = 64;                     ///< In each direction, for each peer; more are dropped.
   std::int64_t frameSize = 4'000'000;  ///< A larger frame ends the connection.
   std::size_t peers = 64;              ///< Who comes later is not let in.
+  std::size_t peersOfOne = 32;         ///< Of one address of IP, so that others have places, too.
 };
 
 /// One end of connections: listening for many peers, or connected to one. Never waits. Made by
@@ -53,6 +65,8 @@ class Socket {
   virtual std::string trouble() { return ""; }
   /// How many messages were no frames.
   std::uint64_t rejected() const { return rejected_; }
+  /// Who was not let in.
+  const Refusals& refusals() const { return refusals_; }
 
   /// What signals that something came in: a socket of ZeroMQ, or if null a file descriptor.
   virtual void* zeroMq() const { return nullptr; }
@@ -65,6 +79,7 @@ class Socket {
 
   const Network& network_;
   std::uint64_t rejected_ = 0;
+  Refusals refusals_;
 };
 
 }  // namespace gt

@@ -10,6 +10,8 @@ constexpr std::int64_t lostAfter = 2000;
 /// Requests are repeated, in ms.
 constexpr std::int64_t repeatAfter = 100;
 constexpr std::size_t mostTools = 32;
+/// Of one address of IP, so that tools of other machines have places, too.
+constexpr std::size_t mostToolsOfOne = 16;
 /// What is taken in one go, so that a flood does not hold the robot up.
 constexpr int framesPerUpdate = 64;
 /// A frame holds a tool's queue at most; few wait, so a flood finds little room.
@@ -74,7 +76,21 @@ std::vector<std::string> ToolPort::takeNews() {
   std::vector<std::string> news;
   for (const auto& tool : tools_)
     for (const std::string& line : tool->interpreter.takeNews()) news.push_back("a tool: " + line);
+  const Refusals refused = refusals();
+  for (std::size_t i = 0; i < enumCount<Refusal>; ++i) {
+    const auto reason = static_cast<Refusal>(i);
+    // Who looks for robots connects and sends nothing.
+    if (reason == Refusal::silent || refused[reason] == 0 || reported_[reason]) continue;
+    reported_[reason] = true;
+    news.push_back("a tool is not let in: " + std::string{describe(reason)});
+  }
   return news;
+}
+
+Refusals ToolPort::refusals() const {
+  Refusals sum = refusals_;
+  for (std::size_t i = 0; i < sum.size(); ++i) sum.values[i] += socket_->refusals().values[i];
+  return sum;
 }
 
 void ToolPort::send(const MessageQueue& messages) {
@@ -91,18 +107,33 @@ std::uint64_t ToolPort::dropped() const {
   return sum;
 }
 
-ToolPort::Tool* ToolPort::find(std::string_view name) {
-  for (const auto& tool : tools_)
-    if (tool->name == name) return tool.get();
-  if (tools_.size() >= mostTools) return nullptr;
+ToolPort::Tool* ToolPort::find(const Received& received) {
+  std::size_t ofOne = 0;
+  for (const auto& tool : tools_) {
+    if (tool->name == received.peer) return tool.get();
+    ofOne += !received.address.empty() && tool->address == received.address;
+  }
+  const bool isMuch = ofOne >= mostToolsOfOne;
+  if (isMuch || tools_.size() >= mostTools) {
+    refuse(received.peer, isMuch ? Refusal::share : Refusal::noPlace);
+    return nullptr;
+  }
   return tools_
-      .emplace_back(std::make_unique<Tool>(
-          Tool{.name = std::string{name}, .interpreter = Interpreter{vocabulary_}}))
+      .emplace_back(std::make_unique<Tool>(Tool{.name = std::string{received.peer},
+                                                .address = std::string{received.address},
+                                                .interpreter = Interpreter{vocabulary_}}))
       .get();
 }
 
+void ToolPort::refuse(std::string_view name, Refusal reason) {
+  if (refused_.contains(name)) return;
+  if (refused_.size() >= mostTools) refused_.clear();
+  refused_.emplace(name);
+  ++refusals_[reason];
+}
+
 void ToolPort::take(const Received& received, MessageQueue& messages) {
-  Tool* tool = find(received.peer);
+  Tool* tool = find(received);
   if (!tool) {
     ++rejected_;
     return;

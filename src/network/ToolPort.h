@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,8 @@ class ToolPort {
 
   /// From now on the messages are written by another program's vocabulary.
   void relay(const TypeDescriptions& types);
-  /// News about the tools that was not yet reported to the user.
+  /// News about the tools that was not yet reported to the user; also who was not let in, once for
+  /// each reason.
   std::vector<std::string> takeNews();
 
   std::size_t tools() const { return tools_.size(); }
@@ -42,10 +44,12 @@ class ToolPort {
   /// Messages that did not fit for some tool, and what came in that was none.
   std::uint64_t dropped() const;
   std::uint64_t rejected() const { return rejected_ + socket_->rejected(); }
+  /// Tools that were not let in.
+  Refusals refusals() const;
 
  private:
   struct Tool {
-    std::string name;
+    std::string name, address;
     std::int64_t heard = 0;
     std::int64_t asked = -1;
     bool mayGet = false;   ///< It requested a queue.
@@ -56,7 +60,8 @@ class ToolPort {
   };
 
   ToolPort(Network& network, Socket& socket, const Vocabulary* vocabulary);
-  Tool* find(std::string_view name);
+  Tool* find(const Received& received);
+  void refuse(std::string_view name, Refusal reason);
   void take(const Received& received, MessageQueue& messages);
   void heed(const MessageQueue& requests);
   void serve(Tool& tool);
@@ -70,6 +75,9 @@ class ToolPort {
   NewestMessages newest_;
   std::vector<std::unique_ptr<Tool>> tools_;
   std::uint64_t rejected_ = 0;
+  Refusals refusals_;
+  std::set<std::string, std::less<>> refused_;  ///< Names of those, to count each once.
+  EnumArray<Refusal, bool> reported_;
   std::uint64_t dropped_ = 0;  ///< That were reported to the tools, or that are gone with them.
 };
 

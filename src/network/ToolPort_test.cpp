@@ -325,5 +325,70 @@ TEST_F(ToolPortTest, ACrowdThatSendsNothingKeepsNoToolOut) {
   EXPECT_TRUE(eventually([&] { return numbers(fromTools).size() == 1; }, again));
 }
 
+/// As many as like may come with a key, but from one machine they do not take all places.
+TEST_F(ToolPortTest, ToolsOfOneAddressLeavePlacesForOthers) {
+  port = *ToolPort::open(robotNetwork, "tcp://127.0.0.1:*");
+  std::vector<std::unique_ptr<ToolConnection>> crowd;
+  for (int i = 0; i < 60; ++i)
+    crowd.push_back(*ToolConnection::open(toolNetwork, port->endpoint()));
+  MessageQueue ignored;
+  const auto all = [&] {
+    port->update(fromTools);
+    for (const auto& tool : crowd) tool->update(ignored);
+  };
+  ASSERT_TRUE(eventually(
+      [&] { return port->tools() >= 16 && port->refusals()[Refusal::share] >= 28; }, all));
+  EXPECT_EQ(port->tools(), 16u);
+  const std::string elsewhere = "tcp://127.0.0.2:0;" + port->endpoint().substr(6);
+  crowd.push_back(*ToolConnection::open(toolNetwork, elsewhere));
+  EXPECT_TRUE(eventually([&] { return crowd.back()->connected(); }, all));
+  EXPECT_EQ(port->takeNews(),
+            std::vector<std::string>{"a tool is not let in: too many from one address"});
+  EXPECT_TRUE(port->takeNews().empty()) << "once";
+}
+
+TEST_F(ToolPortTest, CountsWhoIsNotLetIn) {
+  ASSERT_TRUE(makeKeys(folder.file("ours")));
+  ASSERT_TRUE(makeKeys(folder.file("theirs")));
+  port =
+      *ToolPort::open(robotNetwork, "tcp://127.0.0.1:*", *loadKeys(folder.file("ours/robot.key")));
+  const Keys theirs = *loadKeys(folder.file("theirs/tool.key"));
+  Keys unknown = theirs;
+  unknown.serverPublic = loadKeys(folder.file("ours/tool.key"))->serverPublic;
+  const auto without = *ToolConnection::open(toolNetwork, port->endpoint()),
+             wrong = *ToolConnection::open(toolNetwork, port->endpoint(), theirs),
+             stranger_ = *ToolConnection::open(toolNetwork, port->endpoint(), unknown);
+  {
+    const FileDescriptor silent = stranger(port->endpoint());
+    port->update(fromTools);
+  }
+  const auto all = [&] {
+    robotNetwork.wait(0);
+    port->update(fromTools);
+  };
+  EXPECT_TRUE(eventually(
+      [&] {
+        const Refusals refused = port->refusals();
+        return refused[Refusal::wrongKey] >= 2 && refused[Refusal::unknownKey] >= 1 &&
+               refused[Refusal::silent] >= 1;
+      },
+      all))
+      << describe(port->refusals());
+  EXPECT_TRUE(
+      eventually([&] { return !without->trouble().empty() && !wrong->trouble().empty(); }, all));
+  EXPECT_EQ(without->trouble(), "it asks for a key, and this side has none");
+  EXPECT_EQ(wrong->trouble(), "the key does not fit, or the other side has none");
+  EXPECT_EQ(port->takeNews().size(), 2u) << "those that the user can do something about";
+  EXPECT_EQ(port->tools(), 0u);
+}
+
+TEST(Refusals, AreDescribed) {
+  Refusals refusals;
+  EXPECT_EQ(describe(refusals), "");
+  refusals[Refusal::otherUser] = 2;
+  refusals[Refusal::silent] = 3;
+  EXPECT_EQ(describe(refusals), "5 refused: 2 another user's program, 3 sent nothing");
+}
+
 }  // namespace
 }  // namespace gt

@@ -1,5 +1,6 @@
 #include "network/ZeroMq.h"
 
+#include <arpa/inet.h>
 #include <linux/tcp.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
@@ -17,6 +18,21 @@ std::string binaryKey(const std::string& text) {
   std::string bytes(32, '\0');
   zmq_z85_decode(reinterpret_cast<std::uint8_t*>(bytes.data()), text.c_str());
   return bytes;
+}
+
+/// Of who is connected by a socket of TCP; empty if it is gone.
+std::string peerAddressOf(int file) {
+  sockaddr_storage peer{};
+  socklen_t size = sizeof peer;
+  if (getpeername(file, reinterpret_cast<sockaddr*>(&peer), &size) != 0) return "";
+  char text[INET6_ADDRSTRLEN] = "";
+  const auto* v4 = reinterpret_cast<const sockaddr_in*>(&peer);
+  const auto* v6 = reinterpret_cast<const sockaddr_in6*>(&peer);
+  const void* address = nullptr;
+  if (peer.ss_family == AF_INET) address = &v4->sin_addr;
+  if (peer.ss_family == AF_INET6) address = &v6->sin6_addr;
+  if (!address || !inet_ntop(peer.ss_family, address, text, sizeof text)) return "";
+  return text;
 }
 
 Error endpointError(const std::string& endpoint, const std::string& what) {
@@ -78,20 +94,45 @@ std::optional<SocketEvents::Event> SocketEvents::next() {
 }
 
 ConnectionGuard::ConnectionGuard(ZeroMq& zeroMq, zmq::socket_t& watched, const SocketLimits& limits,
-                                 bool usersOnly)
+                                 bool usersOnly, Refusals& refusals)
     : limits_{limits},
       usersOnly_{usersOnly},
-      events_{zeroMq, watched, ZMQ_EVENT_ACCEPTED | ZMQ_EVENT_DISCONNECTED} {}
+      refusals_{refusals},
+      events_{zeroMq, watched,
+              ZMQ_EVENT_ACCEPTED | ZMQ_EVENT_DISCONNECTED | ZMQ_EVENT_HANDSHAKE_FAILED_AUTH |
+                  ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL} {}
 
 void ConnectionGuard::takeEvents() {
   while (const auto event = events_.next()) {
-    std::erase_if(connections_, [&](const Connection& c) { return c.file == event->value; });
+    if (event->kind == ZMQ_EVENT_HANDSHAKE_FAILED_AUTH ||
+        event->kind == ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL) {
+      const bool isUnknown = event->kind == ZMQ_EVENT_HANDSHAKE_FAILED_AUTH;
+      ++refusals_[isUnknown ? Refusal::unknownKey : Refusal::wrongKey];
+      ++failedHandshakes_;
+      continue;
+    }
+    forget(event->value);
     if (event->kind != ZMQ_EVENT_ACCEPTED) continue;
-    if (hasRoom())
-      connections_.push_back({event->value});
-    else
+    if (hasRoom()) {
+      connections_.push_back({event->value, peerAddressOf(event->value)});
+    } else {
+      ++refusals_[Refusal::noPlace];
       shutdown(event->value, SHUT_RDWR);
+    }
   }
+}
+
+/// A connection has ended. ZeroMQ does not say of which one a handshake has failed.
+void ConnectionGuard::forget(int file) {
+  const auto ended = std::ranges::find(connections_, file, &Connection::file);
+  if (ended == connections_.end()) return;
+  if (!ended->known) {
+    if (failedHandshakes_ > 0)
+      --failedHandshakes_;
+    else
+      ++refusals_[Refusal::silent];
+  }
+  connections_.erase(ended);
 }
 
 /// Who has sent nothing yet leaves for who comes later.
@@ -100,13 +141,22 @@ bool ConnectionGuard::hasRoom() {
   const auto stranger =
       std::ranges::find_if(connections_, [](const Connection& c) { return !c.known; });
   if (stranger == connections_.end()) return false;
-  drop(stranger);
+  drop(stranger, Refusal::silent);
   return true;
 }
 
-void ConnectionGuard::drop(std::vector<Connection>::iterator connection) {
+void ConnectionGuard::drop(std::vector<Connection>::iterator connection, Refusal reason) {
+  ++refusals_[reason];
   shutdown(connection->file, SHUT_RDWR);
   connections_.erase(connection);
+}
+
+/// Whether its address has a place left for it.
+bool ConnectionGuard::hasShare(const Connection& connection) const {
+  const auto others = std::ranges::count_if(connections_, [&](const Connection& other) {
+    return other.known && other.address == connection.address;
+  });
+  return static_cast<std::size_t>(others) < limits_.peersOfOne;
 }
 
 bool ConnectionGuard::admits(int connection) {
@@ -115,7 +165,11 @@ bool ConnectionGuard::admits(int connection) {
   if (found == connections_.end()) return false;
   // Whose it is takes long to find out: not for each of thousands who connect and send nothing.
   if (!found->known && usersOnly_ && !isPeerOfThisUser(connection)) {
-    drop(found);
+    drop(found, Refusal::otherUser);
+    return false;
+  }
+  if (!found->known && !hasShare(*found)) {
+    drop(found, Refusal::share);
     return false;
   }
   return found->known = found->heard = true;
@@ -133,8 +187,14 @@ bool ConnectionGuard::isTolerable(Connection& connection) const {
 
 void ConnectionGuard::check() {
   takeEvents();
-  for (Connection& connection : connections_)
-    if (!isTolerable(connection)) shutdown(connection.file, SHUT_RDWR);
+  for (auto connection = connections_.begin(); connection != connections_.end();)
+    if (isTolerable(*connection)) {
+      ++connection;
+    } else {
+      ++refusals_[Refusal::endless];
+      shutdown(connection->file, SHUT_RDWR);
+      connection = connections_.erase(connection);
+    }
 }
 
 ZeroMqSocket::ZeroMqSocket(const Network& network, ZeroMq& zeroMq, zmq::socket_type type,
@@ -164,7 +224,7 @@ Result<std::unique_ptr<Socket>> ZeroMqSocket::listen(const Network& network, Zer
   socket->socket_.set(zmq::sockopt::router_handover, true);
   if (keys) zeroMq.guard(socket->socket_, *keys);
   if (endpoint.substr(0, 6) == "tcp://")
-    socket->guard_.emplace(zeroMq, socket->socket_, limits, !keys);
+    socket->guard_.emplace(zeroMq, socket->socket_, limits, !keys, socket->refusals_);
   try {
     socket->socket_.bind(endpoint);
   } catch (const zmq::error_t& error) {
@@ -186,6 +246,7 @@ Result<std::unique_ptr<Socket>> ZeroMqSocket::connect(const Network& network, Ze
   raw.set(zmq::sockopt::connect_timeout, 500);
   raw.set(zmq::sockopt::reconnect_ivl, 20);
   raw.set(zmq::sockopt::reconnect_ivl_max, 500);
+  socket->hasKey_ = keys.has_value();
   if (keys) {
     raw.set(zmq::sockopt::curve_serverkey, keys->serverPublic);
     raw.set(zmq::sockopt::curve_publickey, keys->clientPublic);
@@ -205,9 +266,9 @@ Result<std::unique_ptr<Socket>> ZeroMqSocket::connect(const Network& network, Ze
 
 std::string ZeroMqSocket::trouble() {
   while (const auto event = handshakes_ ? handshakes_->next() : std::nullopt)
-    trouble_ = event->kind == ZMQ_EVENT_HANDSHAKE_SUCCEEDED
-                   ? ""
-                   : "the key does not fit, or one of both sides has none";
+    trouble_ = event->kind == ZMQ_EVENT_HANDSHAKE_SUCCEEDED ? ""
+               : hasKey_ ? "the key does not fit, or the other side has none"
+                         : "it asks for a key, and this side has none";
   return trouble_;
 }
 
@@ -257,10 +318,13 @@ bool ZeroMqSocket::receiveFrame(Received& received) {
       if (!receivePart(message_)) return false;
       bool whole = !message_.more();
       for (zmq::message_t rest; message_.more() && receivePart(rest) && rest.more();) whole = false;
+      const char* const address = message_.gets("Peer-Address");
+      address_ = address ? address : "";
       const bool admitted = !guard_ || guard_->admits(message_.get(ZMQ_SRCFD));
       const auto parsed = parseFrame({message_.data<std::byte>(), message_.size()});
       if (admitted && whole && parsed) {
         received.peer = listens_ ? peer_.to_string_view() : std::string_view{};
+        received.address = address_;
         received.frame = *parsed;
         return true;
       }

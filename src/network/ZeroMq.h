@@ -45,12 +45,12 @@ class SocketEvents {
 /// Watches who is connected with a listening socket over tcp. ZeroMQ limits the parts of a message,
 /// but not their number, nor that of connections: who sends more bytes without an end of a message
 /// than a frame has is cut off, and when all places are taken, who has sent nothing yet, or if all
-/// have, who comes. So is, where no key is needed, who is not of this user (or the administrator):
-/// as with sockets of the file system.
+/// have, who comes. An address has a part of the places only. Where no key is needed, who is not of
+/// this user (or the administrator) is cut off, too: as with sockets of the file system.
 class ConnectionGuard {
  public:
   ConnectionGuard(ZeroMq& zeroMq, zmq::socket_t& watched, const SocketLimits& limits,
-                  bool usersOnly);
+                  bool usersOnly, Refusals& refusals);
   /// A whole message came in by this connection; false if it is to be passed over.
   bool admits(int connection);
   /// To be called often.
@@ -59,18 +59,23 @@ class ConnectionGuard {
  private:
   struct Connection {
     int file;
+    std::string address;
     std::int64_t bytes = 0;  ///< That had come in when a message was complete.
     bool heard = false;
     bool known = false;  ///< Something was admitted from it.
   };
 
   void takeEvents();
+  void forget(int file);
   bool hasRoom();
-  void drop(std::vector<Connection>::iterator connection);
+  void drop(std::vector<Connection>::iterator connection, Refusal reason);
+  bool hasShare(const Connection& connection) const;
   bool isTolerable(Connection& connection) const;
 
   SocketLimits limits_;
   bool usersOnly_;
+  Refusals& refusals_;
+  int failedHandshakes_ = 0;  ///< Of connections that have not ended yet.
   SocketEvents events_;
   std::vector<Connection> connections_;
 };
@@ -101,8 +106,10 @@ class ZeroMqSocket : public Socket {
   bool receiveFrame(Received& received);
 
   bool listens_;
+  bool hasKey_ = false;
   zmq::socket_t socket_;
   zmq::message_t peer_, message_;
+  std::string address_;  ///< Of the last message's sender.
   std::optional<ConnectionGuard> guard_;
   std::optional<SocketEvents> handshakes_;
   std::string trouble_;
