@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "network/Endpoint.h"

@@ -15,7 +15,7 @@ class GameManager {
   GameManager() : socket_{::socket(AF_INET, SOCK_DGRAM, 0)} {
     sockaddr_in own = local(0);
     socklen_t size = sizeof own;
-    ::bind(socket_, reinterpret_cast<sockaddr*>(&own), size);
+    EXPECT_EQ(::bind(socket_, reinterpret_cast<sockaddr*>(&own), size), 0);
     ::getsockname(socket_, reinterpret_cast<sockaddr*>(&own), &size);
     port_ = ntohs(own.sin_port);
   }

@@ -142,7 +142,7 @@ class JoinedRouters : public ::testing::Test {
     return mates.byPlayer[player].message.timeSent;
   }
 
-  const TestFolder folder;
+  const TestFolder folder{};
   Network network;
   std::vector<std::unique_ptr<ToolPort>> robots;
   std::vector<std::unique_ptr<Router>> routers;

@@ -495,13 +495,13 @@ TEST(Programs, EndOnBombs) {
   const std::string limit = "ulimit -v 4000000; ";
 #endif
   const auto outcome = [&](const std::string& command) { return workplace.run(command, limit); };
-  const std::string play = "simgt play --minutes 0.01 --out bomb ";
-  EXPECT_EQ(outcome(play + "scenes/one-robot.scene").status, 0);
+  const std::string playBomb = "simgt play --minutes 0.01 --out bomb ";
+  EXPECT_EQ(outcome(playBomb + "scenes/one-robot.scene").status, 0);
   for (const char* root : {"agent-collection", "scene"}) {
     const bool isScene = std::string{root} == "scene";
     for (const std::string& text : {xmlBomb(root), xmlThatReads(root), deepXml()}) {
       workplace.write("bomb.xml", text);
-      const Outcome ended = outcome((isScene ? play : "xabsl check ") + "bomb.xml");
+      const Outcome ended = outcome((isScene ? playBomb : "xabsl check ") + "bomb.xml");
       EXPECT_EQ(ended.status, 2) << root << "\n" << ended.errors;
       EXPECT_THAT(ended.errors, HasSubstr("bomb.xml:"));
       EXPECT_THAT(ended.errors, Not(HasSubstr("/root:"))) << "no file of the machine is read";
