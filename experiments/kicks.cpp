@@ -165,32 +165,46 @@ std::vector<std::string> kicksIn(const std::string& motions) {
   return names;
 }
 
+/// A robot that stands and shall kick.
+struct Kicker {
+  KickFiles files;
+  KickTable table;
+  std::unique_ptr<MovedRobot> robot;
+
+  static Result<Kicker> make(const Job& job, const DataRoot& root) {
+    auto scene = dynamicScene(job, root);
+    if (!scene) return scene.error();
+    scene->balls.resize(1);
+    auto files = KickFiles::open(job, root);
+    if (!files) return files.error();
+    auto table = files->table();
+    if (!table) return table.error();
+    auto robot = MovedRobot::make(root, *scene, job.seed, files->motions());
+    if (!robot) return files->named(robot.error());
+    (*robot)->standUp();
+    return Kicker{*std::move(files), *std::move(table), *std::move(robot)};
+  }
+};
+
 Result<Measurement> kickAll(const Job& job, const DataRoot& root) {
-  auto scene = dynamicScene(job, root);
-  if (!scene) return scene.error();
-  scene->balls.resize(1);
-  const auto files = KickFiles::open(job, root);
-  if (!files) return files.error();
-  const auto table = files->table();
-  if (!table) return table.error();
-  auto robot = MovedRobot::make(root, *scene, job.seed, files->motions());
-  if (!robot) return files->named(robot.error());
-  (*robot)->standUp();
+  const auto made = Kicker::make(job, root);
+  if (!made) return made.error();
+  const auto& [files, table, robot] = *made;
   Measurement measurement;
   const std::string& only = job.parameter("kick");
-  for (const std::string& name : kicksIn(files->motions())) {
+  for (const std::string& name : kicksIn(files.motions())) {
     Random random = Random{job.seed}.fork(name);
-    const int index = table->find(name);
+    const int index = table.find(name);
     if (only != name && (only != "all" || index < 0)) continue;
     KickAim aim{150, 0, 0, job.number("window")};
     if (index >= 0) {
-      const KickDescription& kick = table->kicks[static_cast<std::size_t>(index)];
+      const KickDescription& kick = table.kicks[static_cast<std::size_t>(index)];
       aim = {kick.x, kick.y, kick.direction, aim.window};
     }
     for (const auto& [parameter, number] :
          {std::pair{"x", &aim.x}, {"y", &aim.y}, {"direction", &aim.direction}})
       if (job.parameter(parameter) != "table") *number = job.number(parameter);
-    measure(**robot, name, aim, static_cast<int>(job.number("balls")), random, measurement);
+    measure(*robot, name, aim, static_cast<int>(job.number("balls")), random, measurement);
   }
   if (measurement.values.empty()) return Error{.field = only, .what = "is no kick"};
   return measurement;
@@ -239,26 +253,19 @@ void measurePlaces(MovedRobot& robot, const std::string& motion, const Grid& gri
 }
 
 Result<Measurement> measureGrid(const Job& job, const DataRoot& root) {
-  auto scene = dynamicScene(job, root);
-  if (!scene) return scene.error();
-  scene->balls.resize(1);
-  const auto files = KickFiles::open(job, root);
-  if (!files) return files.error();
-  const auto table = files->table();
-  if (!table) return table.error();
-  auto robot = MovedRobot::make(root, *scene, job.seed, files->motions());
-  if (!robot) return files->named(robot.error());
-  (*robot)->standUp();
+  const auto made = Kicker::make(job, root);
+  if (!made) return made.error();
+  const auto& [files, table, robot] = *made;
   Measurement measurement;
   const auto number = [&](const char* name) { return static_cast<int>(job.number(name)); };
   const Grid grid{number("step"), number("nearest"), number("farthest")};
   if (grid.step < 1) return Error{.field = "step", .what = "expected some mm"};
   const std::string& only = job.parameter("kick");
-  for (const std::string& name : kicksIn(files->motions())) {
+  for (const std::string& name : kicksIn(files.motions())) {
     Random random = Random{job.seed}.fork(name);
     // What ends in Right is the mirrored Left.
-    if (only == name || (only == "all" && table->find(name) >= 0 && !name.ends_with("Right")))
-      measurePlaces(**robot, name, grid, random, measurement);
+    if (only == name || (only == "all" && table.find(name) >= 0 && !name.ends_with("Right")))
+      measurePlaces(*robot, name, grid, random, measurement);
   }
   if (measurement.values.empty()) return Error{.field = only, .what = "is no kick"};
   return measurement;

@@ -1,28 +1,11 @@
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
-#include "simulation/rules/Referee.h"
-#include "support/TestScenes.h"
+#include "support/TestReferee.h"
 
 namespace gt {
 namespace {
 
-/// A match that nobody plays, led by a game controller.
-class LedReferee : public testing::Test {
+class LedReferee : public UnplayedMatch {
  protected:
-  LedReferee() {
-    scene_ = matchScene();
-    world_ = worldOf(scene_);
-    std::vector<Player> players;
-    for (const SceneRobot& robot : scene_.robots) players.push_back(robot.player());
-    referee_ = std::make_unique<Referee>(scene_.game, scene_.rules, FieldDimensions{}, players);
-    commands_.assign(scene_.robots.size(), standingCommand());
-  }
-  void tick() {
-    world_->step(commands_);
-    referee_->update(*world_);
-  }
+  void SetUp() override { start(); }
   /// The game controller says that a half has this state.
   void say(int half, GameState state) {
     message.firstHalf = half == 1;
@@ -30,15 +13,8 @@ class LedReferee : public testing::Test {
     referee_->follow(message, *world_);
   }
   bool over() const { return referee_->over(world_->time()); }
-  int reported(GameEventType type) const {
-    return static_cast<int>(std::ranges::count(referee_->events(), type, &GameEvent::type));
-  }
 
   GameControllerMessage message;
-  SceneDescription scene_;
-  std::unique_ptr<World> world_;
-  std::unique_ptr<Referee> referee_;
-  std::vector<RobotCommand> commands_;
 };
 
 TEST_F(LedReferee, DoesNothingByItself) {
@@ -78,13 +54,13 @@ TEST_F(LedReferee, GoesOnAfterHalfTime) {
   EXPECT_EQ(referee_->dataFor(0).state, GameState::finished);
   for (int i = 0; i < 3000; ++i) tick();
   EXPECT_FALSE(over());
-  EXPECT_EQ(reported(GameEventType::halfTime), 1);
+  EXPECT_EQ(count(GameEventType::halfTime), 1);
   say(1, GameState::playing);  // the whistle was a mistake
   EXPECT_EQ(referee_->dataFor(0).state, GameState::playing);
   say(1, GameState::finished);
   say(2, GameState::initial);
   EXPECT_EQ(referee_->half(), 2);
-  EXPECT_EQ(reported(GameEventType::gameOver), 0);
+  EXPECT_EQ(count(GameEventType::gameOver), 0);
 }
 
 TEST_F(LedReferee, IsOverSomeTimeAfterTheSecondHalf) {
@@ -103,7 +79,7 @@ TEST_F(LedReferee, IsOverSomeTimeAfterTheSecondHalf) {
   say(2, GameState::finished);
   EXPECT_TRUE(lastsFor(9));
   EXPECT_FALSE(lastsFor(2));
-  EXPECT_EQ(reported(GameEventType::gameOver), 2);
+  EXPECT_EQ(count(GameEventType::gameOver), 2);
 }
 
 }  // namespace

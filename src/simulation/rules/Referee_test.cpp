@@ -2,29 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include "support/TestScenes.h"
+#include "support/TestReferee.h"
 
 namespace gt {
 namespace {
 
-/// A match that nobody plays, with a referee.
-class RefereeMatch : public testing::Test {
+class RefereeMatch : public UnplayedMatch {
  protected:
   void SetUp() override {
-    scene_ = matchScene();
     scene_.game.minutes = 1;
     start();
-  }
-  void start() {
-    world_ = worldOf(scene_);
-    std::vector<Player> players;
-    for (const SceneRobot& robot : scene_.robots) players.push_back(robot.player());
-    referee_ = std::make_unique<Referee>(scene_.game, scene_.rules, FieldDimensions{}, players);
-    commands_.assign(scene_.robots.size(), standingCommand());
-  }
-  void tick() {
-    world_->step(commands_);
-    referee_->update(*world_);
   }
   /// Waits until a state is reached; false if it takes longer than a time.
   bool until(GameState state, double seconds) {
@@ -34,16 +21,6 @@ class RefereeMatch : public testing::Test {
     }
     return referee_->state() == state;
   }
-  int count(GameEventType type) const {
-    int n = 0;
-    for (const GameEvent& event : referee_->events()) n += event.type == type;
-    return n;
-  }
-
-  SceneDescription scene_;
-  std::unique_ptr<World> world_;
-  std::unique_ptr<Referee> referee_;
-  std::vector<RobotCommand> commands_;
 };
 
 TEST_F(RefereeMatch, InitialReadySetPlaying) {
