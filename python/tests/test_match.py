@@ -272,7 +272,7 @@ def test_wrong_arguments_are_told(arguments: dict[str, object], message: str) ->
 
 
 def test_wrong_types_are_type_errors() -> None:
-    for arguments in ({"seed": "one"}, {"scene": 3}, {"colour": 1}):
+    for arguments in ({"seed": "one"}, {"scene": 3}, {"lens": 1}):
         with pytest.raises(TypeError):
             gt2003.Match(**arguments)
     match = gt2003.Match()

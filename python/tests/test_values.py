@@ -178,9 +178,9 @@ def test_unknown_tasks_and_solutions_are_told(robot: gt2003.Robot) -> None:
 
 
 def test_records_refuse_unknown_fields() -> None:
-    with pytest.raises(TypeError, match="BallPercept has no field colour"):
-        BallPercept(colour=3)
+    with pytest.raises(TypeError, match="BallPercept has no field hue"):
+        BallPercept(hue=3)
     percept = BallPercept()
     with pytest.raises(AttributeError):
-        percept.colour = 3
+        percept.hue = 3
     assert math.isfinite(percept.angle[0])
