@@ -14,8 +14,11 @@ PYTHON  ?= /usr/bin/python3
 JOBS    ?= $(shell nproc)
 # Some tests are run by Node, which may have come from elsewhere, with npm in it: nearly half of all packages that a bare machine lacks.
 NODE     = $(if $(and $(shell command -v node),$(shell command -v npm)),,nodejs npm)
-# What crashlog, tests and bench are built of, and pictures of layouts made with; a match needs none of it.
-TOOLS    = libdw-dev libgtest-dev libgmock-dev libbenchmark-dev graphviz
+# What films are written with: everything else is built without it.
+FILMS    = libavformat-dev libavcodec-dev libswscale-dev
+# What crashlog, tests and bench are built of, pictures of layouts made with, and joysticks and loudspeakers played by; a match needs
+# none of it.
+TOOLS    = libdw-dev libgtest-dev libgmock-dev libbenchmark-dev graphviz libsdl2-dev $(FILMS)
 # What the workbench needs; everything else is built without it.
 QT       = qt6-base-dev libqt6opengl6-dev libqcustomplot-dev
 # What the comparisons of make bench, the page of make realism-page and what checks the sources need.
@@ -89,7 +92,8 @@ build: packages environment
 	@cmake --build --preset $(PRESET) --parallel $(JOBS) $(TARGETS)
 
 # A match needs one program only, and little to build it.
-play film: TOOLS =
+play: TOOLS =
+film: TOOLS = $(FILMS)
 play: TARGETS = --target simgt
 play: build
 	@$(BUILD)/bin/simgt play scenes/match.scene --minutes $(MINUTES) --seed $(SEED) --threads $(JOBS) --out $(OUT)

@@ -252,7 +252,7 @@ function(gt_program name)
   if(NOT ARG_HOT)
     target_compile_options(${name} PRIVATE ${coldCode})
     gt_precompile(${name} REUSE_FROM gt_precompiled_programs)
-    gt_unite(${name})
+    gt_unite(${name} 5)  # the last to be compiled: by all processors
   endif()
   target_link_libraries(${name} PRIVATE ${ARG_DEPS})
   if(NOT ARG_COMPONENT)
