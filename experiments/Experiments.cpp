@@ -18,10 +18,11 @@ const Experiments& experiments() {
     for (const auto& experiment : challengeExperiments()) list.push_back(experiment);
     for (const auto& experiment : playExperiments()) list.push_back(experiment);
     for (const auto& experiment :
-         {fidelityExperiment(), showExperiment(), kickExperiment(), kickTableExperiment(),
-          grabExperiment(), matchExperiment(), soakExperiment(), calibrationExperiment(),
-          visionExperiment(), visionPlayExperiment(), visionSightExperiment(),
-          collisionExperiment(), worldModelExperiment()})
+         {fidelityExperiment(), goalieExperiment(), showExperiment(), kickExperiment(),
+          kickTableExperiment(), grabExperiment(), matchExperiment(), soakExperiment(),
+          calibrationExperiment(), visionExperiment(), visionPlayExperiment(),
+          visionSightExperiment(), collisionExperiment(), worldModelExperiment(),
+          rollingExperiment()})
       list.push_back(experiment);
     std::ranges::sort(list, {}, &Experiment::name);
     return list;

@@ -31,6 +31,8 @@ Experiments realismExperiments();
 Experiment matchExperiment();
 /// How well teams play: against each other, without opponents, a striker alone, penalty shots.
 Experiments playExperiments();
+/// What a goalie alone does with balls that lie around it, and with shots.
+Experiment goalieExperiment();
 /// How robots move in the dynamic fidelity: whether they stand, how fast and straight they walk,
 /// how often they fall.
 Experiments motionExperiments();
@@ -61,6 +63,8 @@ Experiment visionSightExperiment();
 Experiment collisionExperiment();
 /// What robots know of ball, obstacles and other players while they play (report 3.4 to 3.7).
 Experiment worldModelExperiment();
+/// How soon a robot knows that a ball rolls, and whether it keeps it in sight.
+Experiment rollingExperiment();
 
 /// Writes the thresholds of the collision detector into its configuration in the root, for the
 /// gaits as they are now, from walks in which nothing is touched.

@@ -24,17 +24,25 @@ void PlayWatch::see(const PlayMoment& moment) {
   const bool isNear = std::ranges::any_of(
       moment.robots, [&](const auto& robot) { return robot.plays && distance(robot) < near; });
   tally_.count("ball.idle", !isNear && moment.ball.speed.norm() < moves);
+  if (const int toucher = moment.ball.lastToucher; toucher >= 0)
+    robots_[static_cast<std::size_t>(toucher)].touched = moment.ball.lastTouched;
   watchRoles(moment);
+  watchAreas(moment);
+  watchGoalies(moment);
   watchKick(moment);
+  ball_ = moment.ball;
+  time_ = moment.time;
 }
 
 void PlayWatch::watchRoles(const PlayMoment& moment) {
   constexpr double lostFor = 1000;  // ms
   constexpr int back = 1000;        // ms
-  std::array<int, 2> strikers{};
+  std::array<int, 2> strikers{}, fieldPlayers{};
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const PlayMoment::Robot& robot = moment.robots[i];
     RobotRecord& record = robots_[i];
+    fieldPlayers[static_cast<std::size_t>(robot.team)] +=
+        robot.plays && robot.role != DynamicRole::goalie;
     if (robot.plays && robot.role == DynamicRole::striker) {
       ++strikers[static_cast<std::size_t>(robot.team)];
       tally_.count(nameOf(robot.team, "striker.unseen"), robot.ballUnseen > lostFor);
@@ -45,8 +53,37 @@ void PlayWatch::watchRoles(const PlayMoment& moment) {
     record.before = std::exchange(record.role, robot.role);
     record.changed = moment.time;
   }
-  for (const TeamColor team : {TeamColor::red, TeamColor::blue})
-    tally_.count(nameOf(team, "strikers.two"), strikers[static_cast<std::size_t>(team)] > 1);
+  for (const TeamColor team : {TeamColor::red, TeamColor::blue}) {
+    const auto index = static_cast<std::size_t>(team);
+    tally_.count(nameOf(team, "strikers.two"), strikers[index] > 1);
+    if (fieldPlayers[index] > 0) tally_.count(nameOf(team, "strikers.none"), strikers[index] == 0);
+  }
+}
+
+void PlayWatch::watchAreas(const PlayMoment& moment) {
+  for (const PlayMoment::Robot& robot : moment.robots) {
+    const Vector2d place = toTeam(robot.team, robot.position);
+    const bool isInside =
+        place.x() < -field_.xPenaltyArea && std::abs(place.y()) < field_.yPenaltyArea;
+    if (robot.plays && robot.role != DynamicRole::goalie && isInside)
+      inOwnArea_[static_cast<std::size_t>(robot.team)] += tickSeconds;
+  }
+}
+
+void PlayWatch::watchGoalies(const PlayMoment& moment) {
+  constexpr double beside = 400, rests = 50, isLong = 1;  // mm, mm/s, s
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const PlayMoment::Robot& robot = moment.robots[i];
+    RobotRecord& record = robots_[i];
+    const bool lies = robot.role == DynamicRole::goalie && moment.ball.speed.norm() < rests &&
+                      (robot.position - moment.ball.position).norm() < beside;
+    record.ballBeside = lies ? record.ballBeside + tickSeconds : 0;
+    if (record.ballBeside > isLong) record.leftBall = moment.time;
+    const TeamColor other = robot.team == TeamColor::red ? TeamColor::blue : TeamColor::red;
+    if (robot.role == DynamicRole::goalie && moment.ball.lastToucher != static_cast<int>(i) &&
+        rollsIntoGoal(moment.ball, other))
+      shot_[static_cast<std::size_t>(robot.team)] = moment.time;
+  }
 }
 
 void PlayWatch::watchKick(const PlayMoment& moment) {
@@ -75,14 +112,23 @@ void PlayWatch::watchKick(const PlayMoment& moment) {
   }
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const PlayMoment::Robot& robot = moment.robots[i];
-    if (robot.kicks && !robots_[i].kicked) {
-      ++kicks_[static_cast<std::size_t>(robot.team)];
-      kick_ = Kick{i, moment.time, ball.position};
-    }
+    if (robot.kicks && !robots_[i].kicked) beginKick(moment, i);
     robots_[i].kicked = robot.kicks;
   }
   teams_.resize(moment.robots.size());
   std::ranges::transform(moment.robots, teams_.begin(), &PlayMoment::Robot::team);
+}
+
+void PlayWatch::beginKick(const PlayMoment& moment, std::size_t robot) {
+  const TeamColor team = moment.robots[robot].team;
+  ++kicks_[static_cast<std::size_t>(team)];
+  kick_ = Kick{robot, moment.time, moment.ball.position};
+  Time touched = never();
+  for (std::size_t i = 0; i < robots_.size(); ++i)
+    if (i != robot) touched = std::max(touched, robots_[i].touched);
+  if (touched != never())
+    tally_.measure(nameOf(team, "kick.afterTouch"), "s",
+                   static_cast<double>(moment.time - touched) / 1000);
 }
 
 void PlayWatch::leave() {
@@ -103,7 +149,21 @@ void PlayWatch::end(bool own) {
   kick_.reset();
 }
 
+GoalCause PlayWatch::causeOf(TeamColor letIn) const {
+  constexpr std::int64_t recently = 3000;  // ms
+  const auto goalie = std::ranges::find_if(robots_, [&](const RobotRecord& record) {
+    return record.role == DynamicRole::goalie &&
+           teams_[static_cast<std::size_t>(&record - robots_.data())] == letIn;
+  });
+  if (goalie == robots_.end()) return GoalCause::shot;
+  const bool wasShot = time_ - shot_[static_cast<std::size_t>(letIn)] < recently;
+  if (!wasShot && ball_.lastToucher == goalie - robots_.begin()) return GoalCause::touched;
+  return time_ - goalie->leftBall < recently ? GoalCause::beside : GoalCause::shot;
+}
+
 void PlayWatch::goal(TeamColor team) {
+  const TeamColor letIn = team == TeamColor::red ? TeamColor::blue : TeamColor::red;
+  ++letIn_[static_cast<std::size_t>(letIn)][causeOf(letIn)];
   if (!kick_) return;
   if (!kick_->free && kick_->lastTouch >= kick_->began) leave();
   const TeamColor kicker = teams_[kick_->robot];
@@ -116,6 +176,11 @@ void PlayWatch::goal(TeamColor team) {
 
 void PlayWatch::interrupt() {
   kick_.reset();
+  shot_ = {never(), never()};
+  for (RobotRecord& record : robots_) {
+    record.touched = record.leftBall = never();
+    record.ballBeside = 0;
+  }
 }
 
 bool PlayWatch::rollsIntoGoal(const BallState& ball, TeamColor shooter) const {

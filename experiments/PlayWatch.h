@@ -1,8 +1,10 @@
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/Enum.h"
 #include "base/Geometry.h"
 #include "base/Time.h"
 #include "measure/Tally.h"
@@ -28,8 +30,12 @@ struct PlayMoment {
   std::vector<Robot> robots;
 };
 
-/// How teams play: what becomes of their kicks, who goes to the ball, whether they see it. Names
-/// begin with the team's color.
+/// How a goal came about: the goalie pushed in a ball that was not on its way in; the ball lay
+/// beside a goalie that left it there; or it was shot, whether or not the goalie touched it then.
+enum class GoalCause { touched, beside, shot };
+
+/// How teams play: what becomes of their kicks and how soon they come, who goes to the ball,
+/// whether they see it, how goals come about. Names begin with the team's color.
 class PlayWatch {
  public:
   /// `deceleration` of the rolling ball in mm/s^2.
@@ -44,6 +50,12 @@ class PlayWatch {
 
   const Tally& tally() const { return tally_; }
   int kicks(TeamColor team) const { return kicks_[static_cast<std::size_t>(team)]; }
+  /// How many goals a team let in.
+  int letIn(TeamColor team, GoalCause cause) const {
+    return letIn_[static_cast<std::size_t>(team)][cause];
+  }
+  /// How long field players of a team were in their own penalty area, in s, all together.
+  double inOwnArea(TeamColor team) const { return inOwnArea_[static_cast<std::size_t>(team)]; }
 
  private:
   /// A kick, from its beginning to the next touch of the ball.
@@ -59,10 +71,17 @@ class PlayWatch {
     bool kicked = false;  ///< in the last moment
     DynamicRole role = DynamicRole::defensiveSupporter, before = role;
     Time changed = never();
+    Time touched = never();   ///< the ball, since the last interruption
+    double ballBeside = 0;    ///< for how long the ball has been lying beside it (s)
+    Time leftBall = never();  ///< when the ball had been lying beside it for long
   };
 
   void watchKick(const PlayMoment& moment);
+  void beginKick(const PlayMoment& moment, std::size_t robot);
   void watchRoles(const PlayMoment& moment);
+  void watchAreas(const PlayMoment& moment);
+  void watchGoalies(const PlayMoment& moment);
+  GoalCause causeOf(TeamColor letIn) const;
   /// The ball leaves the kicker, which has hit it.
   void leave();
   void end(bool own);
@@ -74,6 +93,11 @@ class PlayWatch {
   std::optional<Kick> kick_;  ///< the last one that began
   std::vector<TeamColor> teams_;
   std::array<int, 2> kicks_{};
+  std::array<EnumArray<GoalCause, int>, 2> letIn_;
+  std::array<double, 2> inOwnArea_{};
+  std::array<Time, 2> shot_{never(), never()};  ///< when a ball was on its way into a team's goal
+  BallState ball_;                              ///< in the last moment
+  Time time_ = never();
   Tally tally_;
 };
 

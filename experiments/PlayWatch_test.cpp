@@ -130,5 +130,87 @@ TEST_F(PlayWatchTest, TellsWhoDoesNotSeeTheBallAndWhetherItIsIdle) {
   EXPECT_EQ(percent("red.strikers.two"), 25);
 }
 
+TEST_F(PlayWatchTest, TellsWhenNobodyIsStriker) {
+  see();
+  EXPECT_EQ(percent("red.strikers.none"), 100);
+  moment.robots[0].role = DynamicRole::striker;
+  see();
+  EXPECT_EQ(percent("red.strikers.none"), 50);
+  moment.robots[0].plays = false;
+  see();
+  EXPECT_EQ(percent("red.strikers.none"), 50) << "all are penalized";
+  moment.robots[1].team = TeamColor::red;
+  see();
+  EXPECT_NEAR(percent("red.strikers.none"), 200 / 3., 1e-9) << "who is penalized plays no role";
+  moment.robots[1].role = DynamicRole::goalie;
+  see();
+  EXPECT_NEAR(percent("red.strikers.none"), 200 / 3., 1e-9) << "only the goalie is left";
+}
+
+TEST_F(PlayWatchTest, MeasuresFromTheLastTouchOfAnotherRobotToTheNextKick) {
+  const auto seconds = [&] { return watch.tally().errors.at("red.kick.afterTouch").values; };
+  kick({100, 0});
+  EXPECT_FALSE(watch.tally().errors.contains("red.kick.afterTouch")) << "nobody else touched it";
+  touch(1);
+  see(3000);
+  touch(0);
+  see(1000);
+  kick({100, 0});
+  ASSERT_EQ(seconds().size(), 1U);
+  EXPECT_DOUBLE_EQ(seconds().front(), 4);
+  watch.interrupt();
+  moment.ball.lastToucher = -1;
+  kick({100, 0});
+  EXPECT_EQ(seconds().size(), 1U) << "the ball was put there by hand";
+}
+
+TEST_F(PlayWatchTest, CountsTheTimeOfFieldPlayersInTheirOwnPenaltyArea) {
+  moment.robots[1].position = {1500, 0};
+  const auto inside = [&](const Vector2d& position) {
+    const double before = watch.inOwnArea(TeamColor::red);
+    moment.robots[0].position = position;
+    see();
+    return watch.inOwnArea(TeamColor::red) > before;
+  };
+  EXPECT_TRUE(inside({-1700, 450}));
+  EXPECT_FALSE(inside({-1700, 550}));
+  EXPECT_FALSE(inside({-1550, 0}));
+  EXPECT_FALSE(inside({1700, 0})) << "the opponents' one";
+  moment.robots[0].role = DynamicRole::goalie;
+  EXPECT_FALSE(inside({-1700, 0}));
+  EXPECT_EQ(watch.inOwnArea(TeamColor::blue), 0);
+  moment.robots[1].position = {1700, 0};
+  see();
+  EXPECT_GT(watch.inOwnArea(TeamColor::blue), 0);
+}
+
+TEST_F(PlayWatchTest, TellsHowGoalsComeAbout) {
+  const auto letIn = [&](GoalCause cause) { return watch.letIn(TeamColor::blue, cause); };
+  moment.robots[1].role = DynamicRole::goalie;
+  kick({1500, 0});
+  watch.goal(TeamColor::red);
+  EXPECT_EQ(letIn(GoalCause::shot), 1);
+  watch.interrupt();
+  kick({1500, 0});
+  touch(1);
+  see();
+  watch.goal(TeamColor::red);
+  EXPECT_EQ(letIn(GoalCause::shot), 2) << "the goalie only touched it";
+  watch.interrupt();
+  touch(1);
+  moment.ball.position = {1950, 100};
+  moment.ball.speed = {600, 0};
+  see();
+  watch.goal(TeamColor::red);
+  EXPECT_EQ(letIn(GoalCause::touched), 1);
+  watch.interrupt();
+  moment.ball = {.position = {1950, 250}};
+  for (int i = 0; i < 150; ++i) see();
+  kick({500, 0});
+  watch.goal(TeamColor::red);
+  EXPECT_EQ(letIn(GoalCause::beside), 1);
+  EXPECT_EQ(watch.letIn(TeamColor::red, GoalCause::shot), 0);
+}
+
 }  // namespace
 }  // namespace gt

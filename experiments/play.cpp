@@ -75,6 +75,24 @@ void measureTeam(const MatchSummary& summary, TeamColor team, double minutes, co
   measured.add(name + ".kicks", "1/min", play.kicks(team) / minutes);
   measured.add(name + ".penalties", "in 5 min", penalties * 5 / minutes, Aim::atMost(1));
   measured.add(name + ".charges", "robots", charges, Aim::atMost(0));
+  measured.add(name + ".ownArea", "s in 5 min", play.inOwnArea(team) * 5 / minutes);
+  for (std::size_t i = 0; i < enumCount<GoalCause>; ++i) {
+    const auto cause = static_cast<GoalCause>(i);
+    measured.add(name + ".letIn." + std::string{enumName(cause)}, "goals", play.letIn(team, cause));
+  }
+}
+
+/// How often each penalty was given to a team.
+void measurePenalties(const Referee& referee, TeamColor team, double minutes,
+                      Measurement& measured) {
+  EnumArray<Penalty, int> penalties;
+  for (const GameEvent& event : referee.events())
+    if (event.type == GameEventType::penalty && event.team == team) ++penalties[event.penalty];
+  const std::string name = "play." + std::string{enumName(team)} + ".penalties.";
+  for (std::size_t i = 0; i < enumCount<Penalty>; ++i)
+    if (const auto penalty = static_cast<Penalty>(i); penalty != Penalty::none)
+      measured.add(name + std::string{enumName(penalty)}, "in 5 min",
+                   penalties[penalty] * 5 / minutes);
 }
 
 Result<Measurement> playBoth(const Job& job, const DataRoot& root) {
@@ -86,10 +104,15 @@ Result<Measurement> playBoth(const Job& job, const DataRoot& root) {
   if (const auto done = (*match)->soundness(); !done) return done.error();
   const MatchSummary summary = (*match)->summary();
   Measurement measured;
-  for (const TeamColor team : {TeamColor::red, TeamColor::blue})
+  for (const TeamColor team : {TeamColor::red, TeamColor::blue}) {
     measureTeam(summary, team, job.number("minutes"), play, measured);
+    measurePenalties((*match)->simulation().referee(), team, job.number("minutes"), measured);
+  }
   for (const auto& [name, rate] : play.tally().rates)
     measured.add("play." + name, "%", rate.percent());
+  for (const auto& [name, times] : play.tally().errors)
+    for (const auto& [of, value] : summaryOf(times.values))
+      measured.add("play." + name + '.' + of, times.unit, value);
   return measured;
 }
 
