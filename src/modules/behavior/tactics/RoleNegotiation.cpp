@@ -18,14 +18,15 @@ void RoleNegotiation::update(const Candidate& self, const TeamMessages& team, Ti
   if (plays && !leaves) strikerRight_ = now;
   const bool isDue = static_cast<double>(now - strikerRight_) >= p_.delay;
   if (isStriker && (!plays || (leaves && isDue)))
-    handOverTo(mate.number);
+    handOverTo(mate.number, now);
   else if (!isStriker && !plays && (begins || isDue) && self.timeToBall < notAvailable &&
            self.timeToBall <= mate.timeToBall)
-    handOverTo(self.number);
+    handOverTo(self.number, now);
 
   const DynamicRole supporter =
       isMostForward(team, now) ? DynamicRole::offensiveSupporter : DynamicRole::defensiveSupporter;
-  const DynamicRole wanted = striker_ == self.number ? DynamicRole::striker : supporter;
+  const bool acts = striker_ == self.number || isStillNeeded(team, now);
+  const DynamicRole wanted = acts ? DynamicRole::striker : supporter;
   if (wanted == role_) roleRight_ = now;
   const bool atOnce = begins || wanted == DynamicRole::striker || role_ == DynamicRole::striker;
   if (atOnce || static_cast<double>(now - roleRight_) >= p_.delay) role_ = wanted;
@@ -44,15 +45,29 @@ void RoleNegotiation::adopt(const TeamMessages& team) {
   }
 }
 
+/// A striker that has handed its role over acts until it hears that the new one does, or for as
+/// long as the message takes to that one if the radio works.
+bool RoleNegotiation::isStillNeeded(const TeamMessages& team, Time now) const {
+  if (role_ != DynamicRole::striker || self_.timeToBall >= notAvailable || striker_ == 0)
+    return false;
+  const BehaviorTeamMessage& told =
+      team.byPlayer[static_cast<std::size_t>(striker_ - 1)].message.behavior;
+  const bool acts = told.role == DynamicRole::striker && told.handOver >= handOver_;
+  const bool mayHaveHeard = static_cast<double>(now - handedOver_) >= p_.messageTime &&
+                            static_cast<double>(now - newest_) < p_.messageTime;
+  return !acts && !mayHaveHeard;
+}
+
 bool RoleNegotiation::strikerPlays(const TeamMessages& team, Time now) const {
   if (striker_ == self_.number) return self_.timeToBall < notAvailable;
   return striker_ != 0 && isPresent(team.byPlayer[static_cast<std::size_t>(striker_ - 1)], now);
 }
 
 /// The network may break down for seconds in which nobody is heard; a robot that alone is not heard
-/// is gone.
+/// is gone. One that does not play counts for nobody.
 bool RoleNegotiation::isPresent(const TeamMessages::Received& mate, Time now) const {
   return mate.message.playerNumber > 1 && mate.message.playerNumber != self_.number &&
+         mate.message.behavior.estimatedTimeToReachBall < notAvailable &&
          static_cast<double>(newest_ - mate.timeReceived) < p_.gone &&
          static_cast<double>(now - mate.timeReceived) < p_.silence;
 }
@@ -74,8 +89,9 @@ bool RoleNegotiation::isMostForward(const TeamMessages& team, Time now) const {
   });
 }
 
-void RoleNegotiation::handOverTo(int number) {
+void RoleNegotiation::handOverTo(int number, Time now) {
   striker_ = number;
+  handedOver_ = now;
   ++handOver_;
 }
 

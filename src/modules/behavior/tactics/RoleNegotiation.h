@@ -7,15 +7,16 @@ namespace gt {
 
 /// Negotiates with the teammates which field player is the striker and which supporters are
 /// offensive and defensive (report 3.8.2). The striker leaves its role to a teammate that has been
-/// clearly sooner at the ball for a while. Each hand-over has a number, and all follow the highest
-/// number that they know. So two robots are never strikers for longer than a message takes, and no
-/// break of the radio makes a second one.
+/// clearly sooner at the ball for a while, and acts until this one does. Each hand-over has a
+/// number, and all follow the highest number that they know. So two robots are never strikers for
+/// longer than a message takes, and no break of the radio makes a second one.
 class RoleNegotiation {
  public:
   struct Parameters {
     double gone = 3000;
     double silence = 30000;
     double fresh = 500;
+    double messageTime = 180;
     double strikerAdvantage = 1500;
     double delay = 1200;
     double forwardAdvantage = 300;
@@ -29,6 +30,9 @@ class RoleNegotiation {
                 "a teammate is gone if nobody has been heard for so long", {0, 600000}),
           field("fresh", &P::fresh, "ms",
                 "the ball is left to nobody if nobody has been heard for so long", {0, 60000}),
+          field("messageTime", &P::messageTime, "ms",
+                "from a robot's decision until a teammate follows it, if the radio works",
+                {0, 5000}),
           field("strikerAdvantage", &P::strikerAdvantage, "ms",
                 "so much later than a teammate the present striker may reach the ball", {0, 60000}),
           field("delay", &P::delay, "ms",
@@ -59,17 +63,19 @@ class RoleNegotiation {
 
  private:
   void adopt(const TeamMessages& team);
+  bool isStillNeeded(const TeamMessages& team, Time now) const;
   bool strikerPlays(const TeamMessages& team, Time now) const;
   bool isPresent(const TeamMessages::Received& mate, Time now) const;
   /// The present field player that is at the ball first; not available if there is none.
   Candidate soonestMate(const TeamMessages& team, Time now) const;
   bool isMostForward(const TeamMessages& team, Time now) const;
-  void handOverTo(int number);
+  void handOverTo(int number, Time now);
 
   const Parameters& p_;
   Candidate self_;
   Time newest_ = never();  ///< when any teammate was heard last
   int striker_ = 0, handOver_ = 0;
+  Time handedOver_ = never();  ///< by this robot
   DynamicRole role_ = DynamicRole::defensiveSupporter;
   /// When it was right last.
   Time strikerRight_ = never(), roleRight_ = never();

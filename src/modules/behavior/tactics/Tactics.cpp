@@ -78,14 +78,19 @@ double Tactics::estimatedTimeToReachBall() const {
          wrongSide * p_.wrongSide / p_.walkSpeed +
          p_.unseenBall *
              std::min(static_cast<double>(w.frame.time - w.ball.lastSeen), p_.longestUnseen) +
-         (free < ball.norm() - p_.besideBall ? p_.blockedWay : 0) +
-         (w.body.state == BodyState::fallen ? p_.gettingUp : 0);
+         (free < ball.norm() - p_.besideBall ? p_.blockedWay : 0);
+}
+
+/// A robot that is penalized, lies or is lifted up counts for nobody.
+bool Tactics::plays() const {
+  const WorldState& w = *world_;
+  return w.game.penalty == Penalty::none && w.body.state == BodyState::standing &&
+         w.motion.executed.type != MotionType::getup;
 }
 
 void Tactics::negotiateRole() {
   const WorldState& w = *world_;
-  const double time =
-      w.game.penalty == Penalty::none ? estimatedTimeToReachBall() : RoleNegotiation::notAvailable;
+  const double time = plays() ? estimatedTimeToReachBall() : RoleNegotiation::notAvailable;
   if (w.player.role == PlayerRole::goalie) {
     message_ = {DynamicRole::goalie, time};
     return;

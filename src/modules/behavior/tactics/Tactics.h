@@ -23,7 +23,6 @@ class Tactics {
     double wrongSide = 200;
     double unseenBall = 0.5;
     double longestUnseen = 10000;
-    double gettingUp = 3000;
     double blockedWay = 1000;
     double besideBall = 400;
     RoleNegotiation::Parameters roles;
@@ -54,8 +53,6 @@ class Tactics {
           field("unseenBall", &P::unseenBall, "",
                 "further time for each unit of time that the robot has not seen the ball", {0, 10}),
           field("longestUnseen", &P::longestUnseen, "ms", "a longer time counts like this one",
-                {0, 60000}),
-          field("gettingUp", &P::gettingUp, "ms", "further time of a robot that has fallen",
                 {0, 60000}),
           field("blockedWay", &P::blockedWay, "ms",
                 "further time if the direct way to the ball is blocked", {0, 60000}),
@@ -125,6 +122,7 @@ class Tactics {
   /// How long the robot needs to the ball, in ms: by distance, by the angle to turn, by how long
   /// the ball is out of sight, by being on the wrong side of it and by obstacles (report 3.8.2).
   double estimatedTimeToReachBall() const;
+  bool plays() const;
   void negotiateRole();
   bool ownBall() const;
   Vector2d goalToScoreIn() const { return {world_->field.xGroundline, 0}; }

@@ -48,15 +48,50 @@ TEST_F(TacticsTest, TheTimeToTheBallCountsWhatIsInTheWay) {
   EXPECT_EQ(tactics().message().estimatedTimeToReachBall, free) << "who is at the ball";
 }
 
-TEST_F(TacticsTest, WhoIsPenalizedOrHasFallenLeavesTheBallToOthers) {
+TEST_F(TacticsTest, WhoDoesNotPlayLeavesTheBallToOthers) {
   world.ball.position = {300, 0};
-  const double own = tactics().message().estimatedTimeToReachBall;
+  const auto isAvailable = [&] {
+    return tactics().message().estimatedTimeToReachBall < RoleNegotiation::notAvailable;
+  };
+  EXPECT_TRUE(isAvailable());
+  EXPECT_EQ(tactics().role(), DynamicRole::striker);
   world.body.state = BodyState::fallen;
-  EXPECT_EQ(tactics().message().estimatedTimeToReachBall, own + parameters.gettingUp);
-  world.body = {};
-  world.game.penalty = Penalty::ballHolding;
-  EXPECT_EQ(tactics().message().estimatedTimeToReachBall, RoleNegotiation::notAvailable);
+  EXPECT_FALSE(isAvailable());
   EXPECT_NE(tactics().role(), DynamicRole::striker);
+  world.body.state = BodyState::liftedUp;
+  EXPECT_FALSE(isAvailable());
+  world.body = {};
+  world.motion.executed.type = MotionType::getup;
+  EXPECT_FALSE(isAvailable());
+  world.motion = {};
+  EXPECT_TRUE(isAvailable());
+  world.game.penalty = Penalty::ballHolding;
+  EXPECT_FALSE(isAvailable());
+}
+
+TEST_F(TacticsTest, APenalizedTeammateAtTheBallKeepsNobodyOff) {
+  world.player.role = PlayerRole::striker1;
+  world.ball.position = {1500, 0};
+  hear(4, {DynamicRole::striker, RoleNegotiation::notAvailable, 4, 1}, {0, 1400, 0});
+  tactics();
+  for (int i = 0; i < 50; ++i) {
+    world.frame.time = world.ball.lastSeen = world.frame.time + 40;
+    world.team.byPlayer[3].timeReceived = world.frame.time;
+    tactics();
+  }
+  EXPECT_EQ(tactics().role(), DynamicRole::striker);
+}
+
+TEST_F(TacticsTest, RolesStayWhileTheRadioIsSilent) {
+  world.ball.position = {300, 0};
+  hear(4, {DynamicRole::striker, 1000, 4, 1}, {0, 200, 0});
+  tactics();
+  const DynamicRole before = tactics().role();
+  EXPECT_NE(before, DynamicRole::striker);
+  for (int i = 0; i < 200; ++i) {  // 8 s
+    world.frame.time = world.ball.lastSeen = world.frame.time + 40;
+    EXPECT_EQ(tactics().role(), before);
+  }
 }
 
 TEST_F(TacticsTest, TheGoalieStaysGoalieAndIsNoRival) {
