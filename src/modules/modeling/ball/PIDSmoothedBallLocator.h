@@ -13,16 +13,16 @@ namespace gt {
 class PIDSmoothedBallLocator {
  public:
   struct Parameters {
-    double proportional = 0.35;
-    double integral = 0.06;
-    double trustedDistance = 800;
+    double proportional = 0.6;
+    double integral = 0.25;
+    double trustedDistance = 1300;
     double outlierDistance = 200;
     double outlierShare = 0.25;
     int outliersBelieved = 3;
     std::int64_t forgetPosition = 1000;
     double believedAtOnce = 1500;
-    double slowDown = 0.8;
-    double slowDownUnseen = 3;
+    double slowDown = 0.3;
+    double slowDownUnseen = 0.8;
     double fastestBall = 3000;
     std::int64_t longestGap = 240;
 

@@ -104,7 +104,9 @@ HeadAngles GT2003HeadControl::lookAtBall(const Situation& s, bool scanBesides) {
   if (!ballSeen(s) && lookedLongEnough) return searchForBall(s);
   const bool sure = ballSeen(s) && s.now - entered_ >= parameters.ballSeenBeforeScan &&
                     s.ball.consecutiveTimeSeen >= parameters.ballSeenBeforeScan;
-  const auto glance = scanBesides && sure ? chooseGlance(s) : std::nullopt;
+  const bool rolls = s.ball.speed.norm() > parameters.rollingSpeed &&
+                     s.ball.position.norm() < parameters.rollingNear;
+  const auto glance = scanBesides && sure && !rolls ? chooseGlance(s) : std::nullopt;
   if (!glance) return s.ballAngles;
   enter(State::scanBesideBall, s.now);
   planScanBesideBall(s, *glance);

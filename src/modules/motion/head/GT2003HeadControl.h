@@ -22,6 +22,8 @@ class GT2003HeadControl {
     int ballSeenBeforeScan = 300;
     int scanTime = 880;
     double scanWidth = 0.75;
+    double rollingSpeed = 250;
+    double rollingNear = 1500;
     int ballLostAfter = 400;
     int ballSearchTime = 3000;
     int landmarkSearchTime = 4000;
@@ -39,6 +41,9 @@ class GT2003HeadControl {
                 "search-auto: time of a scan away from the ball and back", {100, 880}),
           field("scanWidth", &P::scanWidth, "rad",
                 "search-auto: width of a scan to one side of the ball", {0.1, 2}),
+          field("rollingSpeed", &P::rollingSpeed, "mm/s",
+                "search-auto: a ball that rolls faster is watched without scans", {0, 5000}),
+          field("rollingNear", &P::rollingNear, "mm", "search-auto: if it is nearer", {0, 10000}),
           field("ballLostAfter", &P::ballLostAfter, "ms",
                 "time after which a ball that is not where it is looked for is lost", {100, 5000}),
           field("ballSearchTime", &P::ballSearchTime, "ms",

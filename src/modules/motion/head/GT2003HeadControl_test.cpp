@@ -193,6 +193,23 @@ TEST(GT2003HeadControl, SearchAutoScansBesideTheBallToBothSidesInTurn) {
   EXPECT_LT(head.frame.time - head.ball.lastSeen, 900);
 }
 
+TEST(GT2003HeadControl, SearchAutoKeepsItsEyesOnABallThatRollsNear) {
+  const auto widest = [](const Vector2d& ball, double speed) {
+    Head head{HeadMode::searchAuto};
+    head.ball.speed = {-speed, 0};
+    head.frames(300, ball);
+    double most = 0;
+    for (int i = 0; i < 400; ++i) {
+      head.frameWith(ball);
+      most = std::max(most, std::abs(head.request.pan - std::atan2(ball.y(), ball.x())));
+    }
+    return most;
+  };
+  EXPECT_LT(widest({700, 50}, 600), 0.1);
+  EXPECT_GT(widest({700, 50}, 60), 0.5) << "it hardly rolls";
+  EXPECT_GT(widest({2000, 50}, 600), 0.5) << "it is far away";
+}
+
 TEST(GT2003HeadControl, IsBackInTimeFromAScanBesideABallRightBeforeTheRobot) {
   Head head{HeadMode::searchAuto};
   head.tiltSpeed = 1.7;  // a weak servo
