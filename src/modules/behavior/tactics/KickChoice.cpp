@@ -172,7 +172,7 @@ void KickChoice::judgePaths(int direction, const End& start, double free) {
     double worth = 0;
     const bool stopped = isBlocked && free < length;
     if (!stopped && length > toLine && hitsGoal) {
-      worth = along.x() > 0 ? 1 : -1;
+      worth = along.x() > 0 ? 1 : ownGoal;
     } else {
       const Vector2d end =
           clampedToField(ballOnField_ + along * std::min(length, stopped ? free : length));
@@ -259,6 +259,18 @@ std::array<double, count> KickChoice::worthTurned(const Imagined& imagined) cons
   return worth;
 }
 
+template <std::size_t count>
+std::array<double, count> KickChoice::ownGoals(const Imagined& imagined) const {
+  std::array<double, count> shares{};
+  for (const Imagined::Path& path : imagined.paths) {
+    const double* const turned =
+        &paths_[static_cast<std::size_t>(path.length)][static_cast<std::size_t>(path.direction)];
+    for (std::size_t i = 0; i < count; ++i)
+      if (turned[i] <= ownGoal) shares[i] += path.share;
+  }
+  return shares;
+}
+
 double KickChoice::worthIn(double seconds, double worth) const {
   const double share = disturbed(seconds);
   return (1 - share) * worth + share * stays_;
@@ -313,10 +325,18 @@ bool KickChoice::isSure(const KickDescription& kick, const Vector2d& place, doub
          demand * at->spread <= p_.accurate;
 }
 
-/// Whether a robot that stands behind the ball and faces a direction has room between the walls.
+/// Whether a robot that stands behind the ball and faces a direction has room between the walls, a
+/// field player outside of its own penalty area, a goalie also in its goal.
 bool KickChoice::hasRoom(const Facing& facing) const {
   const FieldDimensions& field = world_->field;
   const Vector2d back = ballOnField_ - facing.along * p_.bodyLength;
+  if (world_->player.role == PlayerRole::goalie) {
+    if (back.x() < 0 && back.x() > p_.wallClearance - field.xGoalBack &&
+        std::abs(back.y()) < field.yGoal - p_.wallClearance)
+      return true;
+  } else if (back.x() < -field.xPenaltyArea && std::abs(back.y()) < field.yPenaltyArea) {
+    return false;
+  }
   const bool insideWalls = std::abs(back.x()) < field.xGroundline - p_.wallClearance &&
                            std::abs(back.y()) < field.ySideline - p_.wallClearance;
   const double corner =
@@ -331,6 +351,7 @@ void KickChoice::choosePlan() {
     return motion == before.motion && std::abs(normalize(facing - before.facing)) < step / 2;
   };
   const bool needsRoom = std::ranges::any_of(facings_, &Facing::hasRoom);
+  const bool isGoalie = world_->player.role == PlayerRole::goalie;
   const double ballAngle = angleOf(ball_);
   plan_ = {};
   plan_.worth = -1e9;
@@ -338,7 +359,9 @@ void KickChoice::choosePlan() {
     const MotionNet::Motion& described = world_->motions.motions[static_cast<std::size_t>(motion)];
     const KickDescription& kick = described.kick;
     if (!described.isKick() || !isUsed(kick)) continue;
-    const auto imagined = worthTurned<directions>(fromBestPlace(motion));
+    const Imagined& kicked = fromBestPlace(motion);
+    const auto imagined = worthTurned<directions>(kicked);
+    const auto risks = isGoalie ? ownGoals<directions>(kicked) : std::array<double, directions>{};
     const double kickAngle = normalize(angleOf({kick.x, kick.y}) - ballAngle);
     for (std::size_t turned = 0; turned < directions; ++turned) {
       const Facing& there = facings_[turned];
@@ -346,6 +369,7 @@ void KickChoice::choosePlan() {
       const double way = timeTo(kick, kickAngle, there);
       const double worth = worthIn(way + kick.strike, imagined[turned]) -
                            p_.second * (way + kick.seconds) +
+                           (risks[turned] > p_.ownGoalRisk ? ownGoal : 0) +
                            (isSame(motion, there.angle) ? p_.otherPlan : 0);
       if (worth > plan_.worth)
         plan_ = {motion, normalize(there.angle + fromDegrees(kick.direction)), there.angle, worth};
@@ -364,6 +388,7 @@ KickChoice::Plan KickChoice::worthNow(int begun) {
       walks ? Pose2D{walk.rotation * p_.stopping, walk.translation * p_.stopping} : Pose2D{};
   const Vector2d ball = relative(stops, ball_);
   const double facing = world_->self.pose.rotation + stops.rotation;
+  const bool isGoalie = world_->player.role == PlayerRole::goalie;
   Plan best;
   best.worth = -1e9;
   for (int i = 1; i < static_cast<int>(world_->motions.motions.size()); ++i) {
@@ -373,6 +398,7 @@ KickChoice::Plan KickChoice::worthNow(int begun) {
     const double demand = i == begun ? p_.holds : 1;
     if (!isSure(kick, ball, demand) || !isSure(kick, ball_, demand)) continue;
     imagine(about(kick, ball), facing, imagined_);
+    if (isGoalie && ownGoals<1>(imagined_).front() > p_.ownGoalRisk) continue;
     const double worth =
         worthIn(kick.strike, worthTurned<1>(imagined_).front()) - p_.second * kick.seconds;
     if (worth > best.worth)

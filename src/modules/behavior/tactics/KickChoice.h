@@ -51,6 +51,7 @@ class KickChoice {
     double holds = 0.7;
     double mostFalls = 0.02;
     double longest = 3;
+    double ownGoalRisk = 0.005;
     // Memory.
     double otherPlan = 0.08;
     double begins = 1200;
@@ -120,6 +121,8 @@ class KickChoice {
           field("mostFalls", &P::mostFalls, "", "share of falls after which a kick is not used",
                 {0, 1}),
           field("longest", &P::longest, "s", "kicks that take longer are not used", {0, 10}),
+          field("ownGoalRisk", &P::ownGoalRisk, "",
+                "share of the balls that may roll into the own goal after a goalie's kick", {0, 1}),
           field("otherPlan", &P::otherPlan, "", "by how much another plan has to be better",
                 {0, 1}),
           field("begins", &P::begins, "ms", "so long a robot tries to begin a kick", {0, 5000}),
@@ -172,6 +175,7 @@ class KickChoice {
   static constexpr double step = 2 * pi / directions;
   static constexpr int lengths = 9;
   static constexpr double lengthStep = 500;  // mm
+  static constexpr double ownGoal = -1;      // worth
 
   /// A direction on the field: an angle and a unit vector; relative to the robot, the angle by
   /// which it has to turn and a unit vector; whether walls leave room behind the ball.
@@ -222,6 +226,9 @@ class KickChoice {
   /// The worth of what is imagined for a robot that is turned by 0, 1, ... steps.
   template <std::size_t count>
   std::array<double, count> worthTurned(const Imagined& imagined) const;
+  /// The share of the balls that end in the own goal, likewise.
+  template <std::size_t count>
+  std::array<double, count> ownGoals(const Imagined& imagined) const;
   /// What it is worth if it takes so many seconds.
   double worthIn(double seconds, double worth) const;
   bool isUsed(const KickDescription& kick) const;

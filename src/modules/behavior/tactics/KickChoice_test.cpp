@@ -38,6 +38,7 @@ class KickChoiceTest : public ::testing::Test {
                              kickOf("ahead", {150, 0}, 0, 1.2),
                              kickOf("left", {150, 0}, 60, 1.2),
                              kickOf("behind", {100, 150}, 180, 1.5)};
+    world.player.role = PlayerRole::striker1;
     world.self.pose = {0, 1000, 0};
     ball = {1150, 0};
     world.frame.time = {1000};
@@ -99,6 +100,46 @@ TEST_F(KickChoiceTest, TakesTheKickThatNeedsTheLeastTurning) {
   world.self.pose = {pi, 1100, 150};
   EXPECT_EQ(choose().plan().motion, behind);
   EXPECT_EQ(choose().now(), behind);
+}
+
+// At a ball beside its post: the kick ahead would roll in if it went only a little astray.
+TEST_F(KickChoiceTest, AGoalieTakesNoKickThatMayEndInItsOwnGoal) {
+  world.player.role = PlayerRole::goalie;
+  world.motions.motions = {{}, kickOf("ahead", {150, 0}, 0, 1.2)};
+  ball = {-1950, 330};
+  const double past = fromDegrees(-100), away = fromDegrees(60);
+  const auto kicksFacing = [&](double facing) {
+    choice.emplace(parameters);
+    world.self.pose = {facing, ball - rotated({150, 0}, facing)};
+    return choose().now() != 0;
+  };
+  parameters.enough = 1;  // any kick will do
+  EXPECT_FALSE(kicksFacing(past));
+  EXPECT_TRUE(kicksFacing(away));
+  world.player.role = PlayerRole::striker1;
+  EXPECT_TRUE(kicksFacing(past));
+}
+
+TEST_F(KickChoiceTest, AGoalieStandsInItsGoalToClearABallBesideIt) {
+  world.player.role = PlayerRole::goalie;
+  ball = {-2050, 160};
+  world.self.pose = {0, -2140, 0};
+  EXPECT_LT(std::abs(choose().plan().facing), fromDegrees(90));
+}
+
+TEST_F(KickChoiceTest, AFieldPlayerDoesNotPlanToStandInItsOwnPenaltyArea) {
+  ball = {-1500, 0};
+  world.self.pose = {0, -1300, 300};
+  const auto standsInArea = [&] {
+    choice.emplace(parameters);
+    const Vector2d body = ball - direction(choose().plan().facing) * parameters.bodyLength;
+    return body.x() < -world.field.xPenaltyArea && std::abs(body.y()) < world.field.yPenaltyArea;
+  };
+  EXPECT_FALSE(standsInArea());
+  world.self.pose = {0, -1650, 0};
+  EXPECT_FALSE(standsInArea());
+  world.player.role = PlayerRole::goalie;
+  EXPECT_TRUE(standsInArea());
 }
 
 // It remembers what a kick does from its best place.
