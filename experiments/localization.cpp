@@ -167,8 +167,8 @@ Arrival goTo(const Pose2D& goal, SimulatedWalker& robot, AnyLocator& locator) {
   Tactics tactics{tacticsParameters};
   MotionRequest request;
   const Movement::Parameters parameters;
-  const WalkType walkType = WalkType::normal;
-  Movement movement{tactics, request, walkType, parameters};
+  const WalkManner manner;
+  Movement movement{tactics, request, manner, parameters};
   GoToPoint goToPoint{movement};
   goToPoint.x = goal.translation.x();
   goToPoint.y = goal.translation.y();

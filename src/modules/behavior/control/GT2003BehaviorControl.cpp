@@ -163,7 +163,7 @@ void GT2003BehaviorControl::update(WorldState world, const Behavior& behavior,
   motionRequest = motionRequest_;
   motionRequest.tail = outputs_.tail;
   motionRequest.time = world.frame.time;
-  motionRequest.walkType = outputs_.walkType;
+  motionRequest.walkType = outputs_.manner.type;
   headControlMode = outputs_.head;
   ledRequest = outputs_.leds;
   soundRequest = outputs_.sound;

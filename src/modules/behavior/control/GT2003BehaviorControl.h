@@ -62,7 +62,7 @@ class GT2003BehaviorControl {
   MotionRequest motionRequest_;
   SoccerInputs inputs_{tactics_};
   SoccerOutputs outputs_;
-  Movement movement_{tactics_, motionRequest_, outputs_.walkType, parameters.movement};
+  Movement movement_{tactics_, motionRequest_, outputs_.manner, parameters.movement};
   BasicBehaviors basicBehaviors_{movement_};
   xabsl::Symbols symbols_;
   std::shared_ptr<const xabsl::Model> loaded_;  // kept, so that no other gets its address

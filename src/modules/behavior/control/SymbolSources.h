@@ -1,5 +1,6 @@
 #pragma once
 #include "modules/behavior/SoccerSymbols.h"
+#include "modules/behavior/skills/Movement.h"
 #include "modules/behavior/skills/SpecialAction.h"
 #include "modules/behavior/tactics/Tactics.h"
 #include "modules/behavior/tactics/Tour.h"
@@ -157,7 +158,7 @@ class SoccerInputs final : public soccer::Inputs {
 struct SoccerOutputs final : soccer::Outputs {
   HeadControlMode head;
   LedRequest leds;
-  WalkType walkType = WalkType::normal;
+  WalkManner manner;
   TailRequest tail = TailRequest::noTailWag;
   SoundRequest sound;
 
@@ -169,7 +170,8 @@ struct SoccerOutputs final : soccer::Outputs {
   void setHeadPixelY(double y) override { head.pixel.y() = y; }
   void setHeadScanTilt(double tilt) override { head.scanTilt = fromDegrees(tilt); }
   void setHeadScanRange(double range) override { head.scanRange = fromDegrees(range); }
-  void setMotionWalkType(WalkType type) override { walkType = type; }
+  void setMotionWalkType(WalkType type) override { manner.type = type; }
+  void setMotionKeepOffOwnArea(bool keepOff) override { manner.keepOffOwnArea = keepOff; }
   void setLedLowerLeft(LedMode mode) override { leds.modes[Led::lowerLeft] = mode; }
   void setLedUpperLeft(LedMode mode) override { leds.modes[Led::upperLeft] = mode; }
   void setLedLowerRight(LedMode mode) override { leds.modes[Led::lowerRight] = mode; }

@@ -7,23 +7,88 @@
 #include "modules/behavior/tactics/FreeSpace.h"
 
 namespace gt {
+namespace {
+
+/// What a robot keeps off around its own penalty area: ahead of `front`, or beside it.
+struct KeptArea {
+  double front, side;  // mm
+
+  KeptArea(const FieldDimensions& field, double distance)
+      : front{distance - field.xPenaltyArea}, side{field.yPenaltyArea + distance} {}
+
+  bool contains(const Vector2d& place) const {
+    return place.x() < front && std::abs(place.y()) < side;
+  }
+  /// The place of the border that is nearest to a place in the area.
+  Vector2d exit(const Vector2d& place) const {
+    if (front - place.x() < side - std::abs(place.y())) return {front, place.y()};
+    return {place.x(), std::copysign(side, place.y())};
+  }
+  /// Whether the straight way between two places outside leads through it.
+  bool parts(const Vector2d& from, const Vector2d& to) const {
+    if (from.x() >= front && to.x() >= front) return false;
+    const auto yAtFront = [&] {
+      return from.y() + (to.y() - from.y()) * (front - from.x()) / (to.x() - from.x());
+    };
+    if (from.x() < front && to.x() < front) return (from.y() > 0) != (to.y() > 0);
+    return std::abs(yAtFront()) < side;
+  }
+  Vector2d corner(double y) const { return {front, std::copysign(side, y)}; }
+};
+
+}  // namespace
 
 double Movement::maxSideways() const {
-  return walkType_ == WalkType::fast ? parameters_.fastSideways : parameters_.maxSideways;
+  return manner_.type == WalkType::fast ? parameters_.fastSideways : parameters_.maxSideways;
 }
 
 double Movement::maxTurn() const {
-  return fromDegrees(walkType_ == WalkType::fast ? parameters_.fastTurn : parameters_.maxTurn);
+  return fromDegrees(manner_.type == WalkType::fast ? parameters_.fastTurn : parameters_.maxTurn);
 }
 
-void Movement::walk(const Vector2d& speed, double turn) {
+void Movement::walk(const Vector2d& wanted, double turn) {
+  const Vector2d speed = manner_.keepOffOwnArea ? keptFromOwnArea(wanted) : wanted;
   request(MotionType::walk);
   request_.walk = {std::clamp(turn, -maxTurn(), maxTurn()),
                    std::clamp(speed.x(), -maxSideways(), parameters_.maxForward),
                    std::clamp(speed.y(), -maxSideways(), maxSideways())};
 }
 
-void Movement::approach(const Vector2d& offset, double turn, double maxSpeed) {
+Vector2d Movement::keptFromOwnArea(const Vector2d& speed) const {
+  const WorldState& world = tactics_.world();
+  const KeptArea area{world.field, parameters_.offOwnArea};
+  const Pose2D& self = world.self.pose;
+  const Vector2d& place = self.translation;
+  if (area.contains(place)) {
+    const Vector2d out = area.exit(place) - place;
+    const double length = std::max(out.norm(), 1.);
+    const Vector2d away = rotated(out / length, -self.rotation);
+    return speed + std::max(0., parameters_.leaveOwnArea - speed.dot(away)) * away;
+  }
+  const Vector2d nearest{std::min(place.x(), area.front),
+                         std::clamp(place.y(), -area.side, area.side)};
+  const double room = (nearest - place).norm();
+  if (room < 1) return speed;
+  const Vector2d into = rotated((nearest - place) / room, -self.rotation);
+  const double fastest = parameters_.braking * room;
+  return speed - std::max(0., speed.dot(into) - fastest) * into;
+}
+
+Vector2d Movement::pastOwnArea(const Vector2d& offset) const {
+  if (!manner_.keepOffOwnArea) return offset;
+  const WorldState& world = tactics_.world();
+  const KeptArea area{world.field, parameters_.offOwnArea};
+  const KeptArea around{world.field, parameters_.offOwnArea + parameters_.pastOwnArea};
+  const Pose2D& self = world.self.pose;
+  Vector2d place = self * offset;
+  if (area.contains(place)) place = around.exit(place);
+  if (!area.contains(self.translation) && area.parts(self.translation, place))
+    place = around.corner(self.translation.x() < area.front ? self.translation.y() : place.y());
+  return relative(self, place);
+}
+
+void Movement::approach(const Vector2d& wanted, double turn, double maxSpeed) {
+  const Vector2d offset = pastOwnArea(wanted);
   // Braking: ever slower, but never so slowly that the robot does not arrive.
   const double distance = offset.norm();
   const double speed = std::min(maxSpeed, parameters_.slowest + parameters_.braking * distance);
@@ -52,7 +117,8 @@ Vector2d Movement::keptFromPlayers(Vector2d speed) const {
   return speed;
 }
 
-void Movement::approachAvoiding(const Vector2d& offset, double turn, double maxSpeed) {
+void Movement::approachAvoiding(const Vector2d& wanted, double turn, double maxSpeed) {
+  const Vector2d offset = pastOwnArea(wanted);
   const ObstaclesModel& obstacles = tactics_.obstacles();
   const double width = parameters_.clearance;
   const double heading = angleOf(offset), needed = std::min(offset.norm(), parameters_.freeWay);

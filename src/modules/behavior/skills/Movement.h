@@ -6,6 +6,12 @@
 
 namespace gt {
 
+/// How all skills walk, as the behavior's outputs say.
+struct WalkManner {
+  WalkType type = WalkType::normal;
+  bool keepOffOwnArea = false;
+};
+
 /// Where basic behaviors want to go, made a motion request within the robot's limits.
 class Movement {
  public:
@@ -25,6 +31,9 @@ class Movement {
     double keepOff = 260;
     double stopBefore = 230;
     double faceTarget = 500;
+    double offOwnArea = 80;
+    double pastOwnArea = 60;
+    double leaveOwnArea = 150;
     FieldPilot::Parameters pilot;
 
     static constexpr auto fields() {
@@ -60,14 +69,22 @@ class Movement {
           field("faceTarget", &Parameters::faceTarget, "mm",
                 "nearer to the target of a potential field the robot turns as it shall stand there",
                 {0, 1e4}),
+          field("offOwnArea", &Parameters::offOwnArea, "mm",
+                "least distance from the robot's middle to the own penalty area, if it keeps off "
+                "that",
+                {0, 500}),
+          field("pastOwnArea", &Parameters::pastOwnArea, "mm",
+                "further distance at which it walks past the area", {0, 500}),
+          field("leaveOwnArea", &Parameters::leaveOwnArea, "mm/s",
+                "least speed at which it leaves the area", {0, 400}),
           field("pilot", &Parameters::pilot)};
     }
   };
 
   /// All must outlive this. The walk type is the one that will be requested: it limits the speed.
-  Movement(const Tactics& tactics, MotionRequest& request, const WalkType& walkType,
+  Movement(const Tactics& tactics, MotionRequest& request, const WalkManner& manner,
            const Parameters& parameters)
-      : tactics_{tactics}, request_{request}, walkType_{walkType}, parameters_{parameters} {}
+      : tactics_{tactics}, request_{request}, manner_{manner}, parameters_{parameters} {}
 
   const Tactics& tactics() const { return tactics_; }
   const Parameters& parameters() const { return parameters_; }
@@ -78,9 +95,11 @@ class Movement {
     request(MotionType::specialAction);
     request_.specialAction = motionOf(tactics_.world().motions, action).name;
   }
-  /// Speeds in mm/s and rad/s.
+  /// Speeds in mm/s and rad/s. Not into the own penalty area, if the robot keeps off that, and out
+  /// of it if it is there.
   void walk(const Vector2d& speed, double turn);
-  /// Walks by an offset in mm and turns by an angle, ever slower.
+  /// Walks by an offset in mm and turns by an angle, ever slower. Around the own penalty area, if
+  /// it keeps off that; if the place lies there, to the area's border.
   void approach(const Vector2d& offset, double turn, double maxSpeed);
   /// The same from far away: past obstacles on the way, for which the robot faces the direction in
   /// which it walks (report 4.3).
@@ -103,6 +122,11 @@ class Movement {
   double maxTurn() const;
   /// A speed that does not lead into another robot.
   Vector2d keptFromPlayers(Vector2d speed) const;
+  /// A speed that does not lead into the own penalty area, and leads out of it.
+  Vector2d keptFromOwnArea(const Vector2d& speed) const;
+  /// The offset to a place, or to what has to be passed before it on the way around the own penalty
+  /// area.
+  Vector2d pastOwnArea(const Vector2d& offset) const;
 
   /// A request of a type and nothing else; keeps the memory of the name.
   void request(MotionType type) {
@@ -113,7 +137,7 @@ class Movement {
 
   const Tactics& tactics_;
   MotionRequest& request_;
-  const WalkType& walkType_;
+  const WalkManner& manner_;
   const Parameters& parameters_;
   FieldPilot pilot_;
   bool piloted_ = false;

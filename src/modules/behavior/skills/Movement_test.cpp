@@ -1,5 +1,8 @@
 #include "modules/behavior/skills/Movement.h"
 
+#include <array>
+#include <cmath>
+
 #include "modules/behavior/testing/SkillTest.h"
 
 namespace gt {
@@ -16,7 +19,7 @@ TEST_F(MovementTest, LimitsSpeeds) {
 }
 
 TEST_F(MovementTest, IsFasterSidewaysAndInTurnsWithTheWalkTypeFast) {
-  walkType = WalkType::fast;
+  manner.type = WalkType::fast;
   movement.walk({-1000, 1000}, -20);
   EXPECT_DOUBLE_EQ(request.walk.translation.x(), -parameters.fastSideways);
   EXPECT_DOUBLE_EQ(request.walk.translation.y(), parameters.fastSideways);
@@ -44,6 +47,57 @@ TEST_F(MovementTest, DoesNotWalkIntoARobot) {
   movement.approach({1000, 0}, 0, 200);
   EXPECT_LT(request.walk.translation.x(), 25);
   movement.approach({-1000, 0}, 0, 200);
+  EXPECT_LT(request.walk.translation.x(), -100);
+}
+
+// Whatever a robot does that keeps off its own penalty area: it does not enter it.
+TEST_F(MovementTest, KeepsOffTheOwnPenaltyArea) {
+  manner = {WalkType::fast, true};
+  const auto isInside = [&] {
+    const Vector2d place = world.self.pose.translation;
+    return place.x() < -world.field.xPenaltyArea && std::abs(place.y()) < world.field.yPenaltyArea;
+  };
+  const std::array<Vector2d, 7> places{
+      {{-1800, -700}, {-1800, 700}, {-1900, 0}, {-1300, 0}, {-1700, 400}, {-1400, -650}, {0, 0}}};
+  for (const Vector2d& from : {places[0], places[1], places[3], places[5]})
+    for (const Vector2d& to : places) {
+      world.self.pose = {1, from};
+      skills.goToPoint.x = to.x();
+      skills.goToPoint.y = to.y();
+      for (int image = 0; image < 700; ++image) {
+        cycle(skills.goToPoint);
+        ASSERT_FALSE(isInside()) << from.transpose() << " to " << to.transpose();
+      }
+      const bool isAllowed =
+          to.x() > -world.field.xPenaltyArea || std::abs(to.y()) > world.field.yPenaltyArea;
+      if (!isAllowed) continue;
+      EXPECT_LT((world.self.pose.translation - to).norm(), 60)
+          << from.transpose() << " to " << to.transpose();
+    }
+}
+
+TEST_F(MovementTest, LeavesTheOwnPenaltyArea) {
+  manner.keepOffOwnArea = true;
+  for (const Vector2d& from : {Vector2d{-1700, 0}, Vector2d{-2000, 400}, Vector2d{-2000, -400}}) {
+    world.self.pose = {2, from};
+    for (int image = 0; image < 100; ++image) {
+      const WorldState state = world.state();
+      tactics.update(state);
+      movement.walk({0, 0}, 0);
+      world.self.pose = world.self.pose * Pose2D{0, request.walk.translation * 0.04};
+    }
+    const Vector2d& place = world.self.pose.translation;
+    EXPECT_TRUE(place.x() > -world.field.xPenaltyArea ||
+                std::abs(place.y()) > world.field.yPenaltyArea)
+        << from.transpose();
+  }
+}
+
+TEST_F(MovementTest, AGoalieWalksInItsPenaltyArea) {
+  world.self.pose = {0, -1500, 0};
+  const WorldState state = world.state();
+  tactics.update(state);
+  movement.approach({-300, 0}, 0, 200);
   EXPECT_LT(request.walk.translation.x(), -100);
 }
 

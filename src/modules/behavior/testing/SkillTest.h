@@ -23,9 +23,9 @@ class SkillTest : public ::testing::Test {
   Tactics::Parameters tacticsParameters;
   Tactics tactics{tacticsParameters};
   MotionRequest request;
-  WalkType walkType = WalkType::normal;
+  WalkManner manner;
   Movement::Parameters parameters;
-  Movement movement{tactics, request, walkType, parameters};
+  Movement movement{tactics, request, manner, parameters};
   BasicBehaviors skills{movement};
 };
 
