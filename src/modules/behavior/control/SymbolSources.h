@@ -42,6 +42,9 @@ class SoccerInputs final : public soccer::Inputs {
   double ballSeenAngle() const override { return toDegrees(angleOf(w().ball.position)); }
   double ballSeenSpeedX() const override { return w().ball.speed.x(); }
   double ballSeenSpeedY() const override { return w().ball.speed.y(); }
+  double ballSeenSpeed() const override { return w().ball.speed.norm(); }
+  double ballCrossingLeft() const override { return tactics_.crossing().left; }
+  double ballCrossingTime() const override { return tactics_.crossing().time; }
   double ballTimeSinceLastSeen() const override { return ms(w().frame.time - w().ball.lastSeen); }
   double ballConsecutiveTimeSeen() const override { return ms(w().ball.consecutiveTimeSeen); }
   double ballKnownX() const override { return tactics_.knownBallOnField().x(); }
@@ -57,6 +60,7 @@ class SoccerInputs final : public soccer::Inputs {
   double ballGoalAngle() const override;
   double ballOwnGoalDirection() const override { return angleTo(ballToOwnGoal()); }
   double ballOwnGoalDistance() const override { return ballToOwnGoal().norm(); }
+  double ballOwnGoalBisector(double x) const override;
 
   double robotPoseX() const override { return w().self.pose.translation.x(); }
   double robotPoseY() const override { return w().self.pose.translation.y(); }

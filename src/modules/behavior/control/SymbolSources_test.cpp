@@ -51,6 +51,33 @@ TEST_F(SymbolSources, TellWhereAKickPlaysTheBall) {
   EXPECT_EQ(inputs().kickY(someKick), 20);
 }
 
+TEST_F(SymbolSources, TellWhereTheGoalieHasBothPostsAtTheSameAngle) {
+  constexpr double line = -1980;
+  world.frame.time = world.ball.lastSeen = {1000};
+  for (const Vector2d& ball : {Vector2d{-500, 500}, Vector2d{-1300, -450}, Vector2d{0, 0}}) {
+    world.ball.position = ball;  // the robot is in the middle of the field
+    const Vector2d goalie{line, inputs().ballOwnGoalBisector(line)};
+    const auto angleTo = [&](double y) {
+      return std::abs(normalize(angleOf(Vector2d{Vector2d{-world.field.xGroundline, y} - ball}) -
+                                angleOf(Vector2d{goalie - ball})));
+    };
+    EXPECT_NEAR(angleTo(world.field.yGoal), angleTo(-world.field.yGoal), 1e-9);
+  }
+  world.ball.position = {-2050, 300};
+  EXPECT_EQ(inputs().ballOwnGoalBisector(line), 300);
+}
+
+TEST_F(SymbolSources, TellWhereABallThatComesWillCrossTheRobotsLine) {
+  world.ball.position = {1000, 300};
+  world.ball.speed = {-1000, -200};
+  EXPECT_NEAR(inputs().ballSeenSpeed(), std::hypot(1000, 200), 1e-9);
+  EXPECT_NEAR(inputs().ballCrossingLeft(), 100, 1e-9);
+  EXPECT_GT(inputs().ballCrossingTime(), 1000);
+  EXPECT_LT(inputs().ballCrossingTime(), 1300);
+  world.ball.speed = {0, -200};
+  EXPECT_GT(inputs().ballCrossingTime(), 1e5);
+}
+
 TEST_F(SymbolSources, ReportOtherPlayers) {
   EXPECT_EQ(inputs().opponentDistance(), 1e5) << "there is none";
   world.self.pose = {pi / 2, {100, 0}};

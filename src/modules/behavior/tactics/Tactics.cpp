@@ -67,6 +67,11 @@ std::int64_t Tactics::knownBallAge() const {
   return std::min(w.frame.time - w.ball.lastSeen, w.frame.time - w.teamBall.lastSeen);
 }
 
+Crossing Tactics::crossing() const {
+  constexpr double longFromNow = 1e6;  // ms
+  return crossingOf(world_->ball, p_.deceleration).value_or(Crossing{0, longFromNow});
+}
+
 double Tactics::estimatedTimeToReachBall() const {
   const WorldState& w = *world_;
   const Vector2d ball = knownBall();

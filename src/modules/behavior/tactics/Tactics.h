@@ -4,6 +4,7 @@
 #include "modules/behavior/tactics/ButtonControl.h"
 #include "modules/behavior/tactics/KickChoice.h"
 #include "modules/behavior/tactics/RoleNegotiation.h"
+#include "modules/behavior/tactics/RollingBall.h"
 #include "streams/Reflection.h"
 
 namespace gt {
@@ -17,6 +18,7 @@ class Tactics {
     double ownBall = 600;
     double teammateWidth = 160;
     double obstacleMemory = 1200;
+    double deceleration = 250;
     // Roles.
     double walkSpeed = 0.2;
     double turnSpeed = 0.0015;
@@ -43,6 +45,7 @@ class Tactics {
           field("obstacleMemory", &P::obstacleMemory, "ms",
                 "an obstacle that was not seen for so long does not count, as robots move",
                 {0, 1e5}),
+          field("deceleration", &P::deceleration, "mm/s^2", "of a rolling ball", {0, 10000}),
           field("walkSpeed", &P::walkSpeed, "mm/ms", "speed in the estimated time to the ball",
                 {0.01, 1}),
           field("turnSpeed", &P::turnSpeed, "rad/ms",
@@ -87,6 +90,10 @@ class Tactics {
   Vector2d knownBallOnField() const;
   /// In ms.
   std::int64_t knownBallAge() const;
+
+  /// Where and when the own ball crosses the line to the robot's left and right: never, long from
+  /// now.
+  Crossing crossing() const;
 
   /// The role of this cycle; the goalie stays goalie.
   DynamicRole role() const { return message().role; }
