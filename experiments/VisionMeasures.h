@@ -9,7 +9,8 @@ namespace gt {
 
 /// Compares percepts with the truth, image by image. Rates are named after what has to be true
 /// (`ball.found`); `false` is the share of percepts at a place where nothing of their kind is seen
-/// (of the ball: of all images). One percept serves one thing. docs/vision.md lists the tolerances.
+/// (of the ball: of all images), of robots divided into `nothing` (no robot is seen in that
+/// direction) and `misplaced`. One percept serves one thing. docs/vision.md lists the tolerances.
 class VisionMeasures {
  public:
   explicit VisionMeasures(const VisionTruth& truth) : truth_(truth) {}
@@ -27,9 +28,17 @@ class VisionMeasures {
   bool isAtGoal(const GoalPercept& goal) const;
   void compareEdges(const LinesPercept& percept, const CameraMatrix& measured, Tally& tally) const;
   void comparePlayers(const PlayersPercept& percept, Tally& tally) const;
+  /// Whether a robot that shows tricot is seen in the direction of a place.
+  bool isTowardsRobot(const Vector2d& place) const;
   void compareObstacles(const ObstaclesPercept& percept, Tally& tally) const;
-  /// How far the ground is truly free from a line's near point on (mm), as far as the image shows.
-  double freeLength(const FreeGround& line) const;
+  /// Whether two places on the ground, one behind the other, are the same for free ground.
+  bool isSameEnd(const Vector2d& a, const Vector2d& b) const;
+  /// How far the ground is truly free from a line's near point on, as far as the image shows.
+  struct Free {
+    Vector2d along;   ///< Of length 1.
+    double distance;  ///< mm
+  };
+  Free freeGround(const FreeGround& line) const;
   double bearing(const Vector2d& place) const;
   double distance(const Vector2d& place) const;
 

@@ -163,6 +163,29 @@ TEST_F(VisionMeasuresTest, ABallIsFoundOnlyWhereItIs) {
   }
 }
 
+TEST_F(VisionMeasuresTest, BallsAtTheImagesBorderAndHiddenOnesHaveFiguresOfTheirOwn) {
+  const auto look = [&](const Vector2d& ball, double tilt) {
+    world_->placeBall(0, ball);
+    this->look({0, 0, 0}, tilt);
+    seeBall(0, 1);
+    return compared();
+  };
+  const Tally whole = look({1000, 0}, -0.2);
+  EXPECT_EQ(percent(whole, "ball.found"), 100);
+  EXPECT_EQ(percent(whole, "ball.rim.found"), -1);
+  EXPECT_EQ(percent(whole, "ball.partly.found"), -1);
+  int rims = 0, parts = 0;
+  for (double y = 400; y < 800; y += 10) {
+    const Tally tally = look({1000, y}, -0.2);
+    rims += percent(tally, "ball.rim.found") == 100 ? 1 : 0;
+    if (percent(tally, "ball.partly.found") != 100) continue;
+    ++parts;
+    EXPECT_EQ(percent(tally, "ball.found"), -1) << y;
+  }
+  EXPECT_GT(parts, 0);
+  EXPECT_GT(rims, parts);
+}
+
 TEST_F(VisionMeasuresTest, ABallThatIsNotInTheImageIsNotFoundByChance) {
   world_->placeBall(0, {-1000, 0});
   look({0, 0, 0}, -0.2);
@@ -181,12 +204,18 @@ TEST_F(VisionMeasuresTest, ARobotIsFoundWithinAQuarterOfAMeter) {
     const Tally tally = compared();
     const bool right = std::abs(behind) < 250;
     EXPECT_EQ(percent(tally, "players.found"), right ? 100 : 0) << behind;
-    EXPECT_EQ(percent(tally, "players.false"), right ? 0 : 100) << behind;
+    EXPECT_EQ(percent(tally, "players.misplaced"), right ? 0 : 100) << behind;
+    EXPECT_EQ(percent(tally, "players.nothing"), 0) << behind;
   }
+  opponents() = {rotated(place, 0.5)};
+  const Tally beside = compared();
+  EXPECT_EQ(percent(beside, "players.misplaced"), 0);
+  EXPECT_EQ(percent(beside, "players.nothing"), 100);
   percepts_.players.players[TeamColor::red] = {place};
   const Tally tally = compared();
   EXPECT_EQ(percent(tally, "players.found"), 0);
-  EXPECT_EQ(percent(tally, "players.false"), 0);
+  EXPECT_EQ(percent(tally, "players.misplaced"), 0);
+  EXPECT_EQ(percent(tally, "players.nothing"), 0);
   EXPECT_EQ(percent(tally, "players.color"), 0);
 }
 
@@ -201,7 +230,7 @@ TEST_F(VisionMeasuresTest, OnePerceptServesOneRobot) {
   opponents() = {truth_.robot(first), truth_.robot(first) + Vector2d{30, 0}};
   const Tally tally = compared();
   EXPECT_EQ(percent(tally, "players.found"), 50);
-  EXPECT_EQ(percent(tally, "players.false"), 50);
+  EXPECT_EQ(percent(tally, "players.misplaced"), 50);
 }
 
 TEST_F(VisionMeasuresTest, FreeGroundMayEndNeitherTooLateNorTooEarly) {
@@ -217,6 +246,27 @@ TEST_F(VisionMeasuresTest, FreeGroundMayEndNeitherTooLateNorTooEarly) {
   EXPECT_EQ(rates({{450, 0}, {950, 0}, false}), (std::pair{100., 100.}));
   EXPECT_EQ(rates({{450, 0}, {1300, 0}, false}), (std::pair{0., 100.}));
   EXPECT_EQ(rates({{450, 0}, {450, 0}, false}), (std::pair{100., 0.}));
+}
+
+// At 2.5 m a pixel is 20 cm of the ground.
+TEST_F(VisionMeasuresTest, FreeGroundMayBeWrongByAPixelAndAHalf) {
+  look({0, -1000, -1000}, -0.1);
+  const CameraMatrix& camera = truth_.camera();
+  const double x0 = camera.pose.translation.x();
+  // A place at the distance d is this over d pixels below the horizon.
+  const double below = camera.pose.translation.z() * camera.info.focalY;
+  double wall = 1000;
+  while (truth_.at({wall, 0}) == VisionTruth::Kind::ground ||
+         truth_.at({wall, 0}) == VisionTruth::Kind::line)
+    wall += 20;
+  ASSERT_GT(wall, 2500);
+  for (const double pixels : {1., -1., 2.2, -2.2}) {
+    const double far = x0 + 1 / (1 / (wall - x0) + pixels / below);
+    percepts_.obstacles.lines = {{{450, 0}, {far, 0}, false}};
+    const Tally tally = compared();
+    EXPECT_EQ(percent(tally, "freeGround.notOverestimated"), pixels > -2 ? 100 : 0) << pixels;
+    EXPECT_EQ(percent(tally, "freeGround.notUnderestimated"), pixels < 2 ? 100 : 0) << pixels;
+  }
 }
 
 TEST_F(VisionMeasuresTest, FreeGroundIsNotUnderestimatedWhereTheImageEnds) {

@@ -279,15 +279,20 @@ Measurement figuresOf(const Condition& condition, const Tally& tally) {
     const auto aim = std::find_if(visionAims.begin(), visionAims.end(),
                                   [&](const AimOf& of) { return name == of.name; });
     const bool ofBall = condition.processor == grid3 && name.starts_with("ball.");
-    if (condition.brief && aim == visionAims.end() && !ofBall) return;
+    if (condition.brief && aim == visionAims.end() && !ofBall) return false;
     const bool asked = condition.name.empty() && aim != visionAims.end();
     measured.add("vision." + condition.name + name, unit, value, asked ? aim->aim : Aim{});
+    return true;
+  };
+  const auto addRate = [&](const std::string& name, const Tally::Rate& rate) {
+    if (add(name, "%", rate.percent()))
+      measured.add("vision." + condition.name + name + ".n", "", rate.all);
   };
   for (const auto& [name, rate] : tally.rates)
     if (name == "pictures")
       add(name, "", rate.all);
     else
-      add(name, "%", rate.percent());
+      addRate(name, rate);
   for (const auto& [name, errors] : tally.errors) {
     add(name + ".bias", errors.unit, errors.bias());
     for (const auto& [of, value] : summaryOf(errors.sizes()))

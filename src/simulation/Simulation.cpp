@@ -72,7 +72,7 @@ Result<std::unique_ptr<Simulation>> Simulation::make(const SceneDescription& sce
                                                      std::uint64_t seed, std::size_t threads,
                                                      const FieldDimensions& field) {
   std::vector<Error> warnings;
-  auto model = composeModel(scene, &warnings);
+  auto model = composeModel(scene, Random{seed}.fork("world").fork("audience"), &warnings);
   if (!model) return model.error();
   auto simulation = make(scene, std::move(*model), seed, threads, field);
   if (simulation) (*simulation)->modelWarnings_ = std::move(warnings);

@@ -219,12 +219,12 @@ std::optional<ModelSource> compiled(ModelFile file, ModelPrefixes prefixes,
 
 }  // namespace
 
-std::optional<ModelSource> readFieldSource(const SceneDescription& scene,
+std::optional<ModelSource> readFieldSource(const SceneDescription& scene, const Random& audience,
                                            std::vector<Error>& findings) {
   auto file = ModelFile::read(scene.resolve(scene.field), findings);
   if (!file) return std::nullopt;
   if (!scene.flags) removeFlags(*file);
-  addAudience(worldOf(*file), scene.audience);
+  addAudience(worldOf(*file), scene.audience, audience);
   addReferees(worldOf(*file), scene.referees);
   if (scene.fidelity == Fidelity::dynamic) separateField(*file);
   auto source = compiled(std::move(*file), {}, findings);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "base/Random.h"
 #include "simulation/scene/ModelFile.h"
 #include "simulation/scene/ModelNames.h"
 #include "simulation/scene/Scene.h"
@@ -22,7 +23,7 @@ struct ModelSource {
 
 /// Reads a scene's field and adds the people around it. What is wrong or left out is added to a
 /// list; empty if something is wrong.
-std::optional<ModelSource> readFieldSource(const SceneDescription& scene,
+std::optional<ModelSource> readFieldSource(const SceneDescription& scene, const Random& audience,
                                            std::vector<Error>& findings);
 
 /// Reads the model of robots or balls: its first body, and the contacts, equalities, tendons and

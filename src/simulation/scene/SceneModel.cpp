@@ -19,8 +19,8 @@ xmlNode* addElement(xmlNode* parent, const char* name) {
 /// Joins models to one document, and collects what is wrong with them or left out of them.
 class Composer {
  public:
-  Composer(const SceneDescription& scene, std::vector<Error>& findings)
-      : scene_(scene), findings_(findings) {
+  Composer(const SceneDescription& scene, const Random& audience, std::vector<Error>& findings)
+      : scene_(scene), audience_(audience), findings_(findings) {
     xmlDocSetRootElement(document_.get(), root_);
   }
 
@@ -56,6 +56,7 @@ class Composer {
   Error misfit(const ModelSource& source) const;
 
   const SceneDescription& scene_;
+  const Random audience_;
   std::vector<Error>& findings_;
   XmlDocument document_{xmlNewDoc(BAD_CAST "1.0")};
   xmlNode* root_ = xmlNewNode(nullptr, BAD_CAST "mujoco");
@@ -94,7 +95,7 @@ bool Composer::isRight() const {
 /// Reads all files, the others even if one is wrong.
 void Composer::readSources() {
   if (isThere(scene_.field, scene_.fieldPlace, "field"))
-    field_ = readFieldSource(scene_, findings_);
+    field_ = readFieldSource(scene_, audience_, findings_);
   for (const SceneRobot* robot : scene_.allRobots()) readBody(robot->model, robot->place);
   for (const SceneBall& ball : scene_.balls) readBody(ball.model, ball.place);
 }
@@ -286,9 +287,10 @@ Model Composer::compose() {
 
 }  // namespace
 
-Result<Model> composeModel(const SceneDescription& scene, std::vector<Error>* warnings) {
+Result<Model> composeModel(const SceneDescription& scene, const Random& audience,
+                           std::vector<Error>* warnings) {
   std::vector<Error> findings;
-  auto model = Composer{scene, findings}.compose();
+  auto model = Composer{scene, audience, findings}.compose();
   const auto error = std::ranges::find(findings, Severity::error, &Error::severity);
   if (!model) return *error;
   if (warnings) *warnings = std::move(findings);
@@ -297,7 +299,7 @@ Result<Model> composeModel(const SceneDescription& scene, std::vector<Error>* wa
 
 void checkModel(const SceneDescription& scene, std::vector<Error>& findings) {
   std::vector<Error> own;
-  Composer{scene, own}.compose();
+  Composer{scene, Random{}, own}.compose();
   findings.insert(findings.end(), own.begin(), own.end());
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "base/Random.h"
 #include "base/Result.h"
 #include "simulation/scene/Scene.h"
 #include "simulation/world/MuJoCo.h"
@@ -17,8 +18,10 @@ namespace gt {
 /// The text only says what there is. Each file is also compiled alone, under its own compiler and
 /// defaults, and all its numbers are copied from there: so it means in a scene what it means alone.
 /// Of a robot or ball its first body comes into the scene, with its contacts, equalities, tendons
-/// and sensors. For what is left out, `warnings` gets a line each.
-Result<Model> composeModel(const SceneDescription& scene, std::vector<Error>* warnings = nullptr);
+/// and sensors. For what is left out, `warnings` gets a line each. `audience` places the people
+/// behind the outer wall.
+Result<Model> composeModel(const SceneDescription& scene, const Random& audience = Random{},
+                           std::vector<Error>* warnings = nullptr);
 /// Looks for all that keeps a scene's model from being made or is left out of it, and adds it to a
 /// list.
 void checkModel(const SceneDescription& scene, std::vector<Error>& findings);

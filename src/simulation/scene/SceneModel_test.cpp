@@ -276,7 +276,7 @@ class SceneModelFiles : public testing::Test {
   }
   static std::vector<std::string> warningsOf(const SceneDescription& scene) {
     std::vector<Error> warnings;
-    const auto model = composeModel(scene, &warnings);
+    const auto model = composeModel(scene, Random{}, &warnings);
     EXPECT_TRUE(model) << model.error().text();
     std::vector<std::string> texts;
     for (const Error& warning : warnings) texts.push_back(warning.text());

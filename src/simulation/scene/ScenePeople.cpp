@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/Geometry.h"
-#include "base/Random.h"
 #include "simulation/scene/Xml.h"
 
 namespace gt {
@@ -38,11 +37,10 @@ void add(xmlNode* parent, const std::string& person, const Part& part, bool touc
 
 }  // namespace
 
-void addAudience(xmlNode* worldbody, int count) {
+void addAudience(xmlNode* worldbody, int count, Random random) {
   constexpr std::array shirts{"0.98 0.40 0.05 1", "0.95 0.35 0.62 1", "0.93 0.82 0.06 1",
                               "0.20 0.62 0.92 1", "0.75 0.05 0.10 1", "0.08 0.12 0.50 1",
                               "0.05 0.50 0.22 1", "0.90 0.90 0.90 1"};
-  Random random{2003};
   for (int i = 0; i < count; ++i) {
     // Somewhere on a rectangle around the outer wall, half of them kneel or are children.
     const double halfX = random.uniform(3.6, 5), halfY = random.uniform(2.7, 4);
@@ -53,7 +51,7 @@ void addAudience(xmlNode* worldbody, int count) {
                            : Vector2d{side * halfX, halfY * along};
     const double shirt = random.chance(0.5) ? random.uniform(0.5, 0.8) : random.uniform(1, 1.3);
     const std::string person = "audience" + std::to_string(i);
-    const char* color = shirts[random.index(shirts.size())];
+    const char* color = shirts[static_cast<std::size_t>(i) % shirts.size()];
     const double legs = (shirt - 0.25) / 2;
     add(worldbody, person,
         {"legs", "box", "0.10 0.10 0.14 1", {p.x(), p.y(), legs}, {0.14, 0.12, legs}}, false);

@@ -7,7 +7,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <set>
 
+#include "simulation/Simulation.h"
 #include "simulation/scene/SceneModel.h"
 #include "support/TestScenes.h"
 
@@ -98,6 +100,43 @@ TEST(Scene, PeopleStandWhereTheyAreMeantTo) {
   ASSERT_TRUE(again);
   const mjtNum* positions = (*model)->geom_pos;
   EXPECT_TRUE(std::equal(positions, positions + 3 * (*model)->ngeom, (*again)->geom_pos));
+}
+
+TEST(Scene, TheAudienceIsAnotherForEachSeedAndWearsAllColors) {
+  SceneDescription scene = matchScene();
+  scene.audience = 8;
+  const auto people = [&](std::uint64_t seed) {
+    std::set<std::array<float, 3>> colors;
+    std::vector<double> places;
+    const auto model = composeModel(scene, Random{seed});
+    for (int i = 0; i < scene.audience; ++i) {
+      const std::string name = "audience" + std::to_string(i) + "/shirt";
+      const int shirt = mj_name2id(model->get(), mjOBJ_GEOM, name.c_str());
+      const float* rgba = (*model)->geom_rgba + 4 * shirt;
+      colors.insert({rgba[0], rgba[1], rgba[2]});
+      places.push_back((*model)->geom_pos[3 * shirt]);
+    }
+    return std::pair{colors, places};
+  };
+  const auto [colors, places] = people(1);
+  EXPECT_EQ(colors.size(), 8u);
+  EXPECT_NE(places, people(2).second);
+}
+
+// Who has a simulation's seed sees its people, also after its fidelity has changed.
+TEST(Scene, ASimulationsSeedPlacesItsAudience) {
+  SceneDescription scene = matchScene();
+  scene.audience = 3;
+  const auto placeIn = [](const Simulation& simulation) {
+    const mjModel& model = simulation.world().model();
+    return model.geom_pos[3 * mj_name2id(&model, mjOBJ_GEOM, "audience2/shirt")];
+  };
+  const auto first = Simulation::make(scene, 1), second = Simulation::make(scene, 2);
+  ASSERT_TRUE(first && second);
+  const double place = placeIn(**first);
+  EXPECT_NE(place, placeIn(**second));
+  ASSERT_TRUE((*first)->changeFidelity(Fidelity::dynamic));
+  EXPECT_EQ(placeIn(**first), place);
 }
 
 TEST_F(WrongFiles, MissingScene) {

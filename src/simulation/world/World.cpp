@@ -207,7 +207,7 @@ void World::advanceTime() {
 }
 
 Result<std::unique_ptr<World>> makeWorld(const SceneDescription& scene, const Random& random) {
-  auto model = composeModel(scene);
+  auto model = composeModel(scene, random.fork("audience"));
   if (!model) return model.error();
   return makeWorld(scene, std::move(*model), random);
 }
