@@ -14,6 +14,8 @@ constexpr int maxGap = 2;      // Pixels of a wrong class accepted within an obj
 constexpr int minPink = 2;     // Pixels of each of a flag's colors.
 constexpr int minGoal = 3;     // Pixels of a goal's color.
 constexpr int minHidden = 8;   // The same, of a goal whose foot is hidden.
+constexpr int minRobot = 6;    // Pixels of a robot that hides a goal's foot,
+constexpr int nearRobot = 12;  // which begin so near below what is seen of the goal.
 constexpr int minBall = 2;     // Orange pixels.
 constexpr int maxToField = 6;  // Pixels from a goal's lower end to the green.
 
@@ -51,7 +53,7 @@ void IndicationScanner::scan(const CameraImage& picture, const ScanLine& line,
         break;
       case ColorClass::yellow:
       case ColorClass::skyblue:
-        next = findGoal(picture, line, i);
+        next = findGoal(picture, line, field, i);
         break;
       default:
         break;
@@ -178,7 +180,7 @@ void IndicationScanner::findFlag(const ScanLine& line, std::size_t first) {
 // A goal stands on the field: below its color comes green, perhaps after a line, or the image's
 // border, or a robot that hides the rest.
 std::size_t IndicationScanner::findGoal(const CameraImage& picture, const ScanLine& line,
-                                        std::size_t first) {
+                                        const FieldDimensions& field, std::size_t first) {
   const ColorClass color = runs_[first].color;
   const Stretch stretch = stretchFrom(first, ColorSet{color}, maxGap);
   const std::size_t next = stretch.last + 1;
@@ -198,16 +200,38 @@ std::size_t IndicationScanner::findGoal(const CameraImage& picture, const ScanLi
     goal.foot = line.at((run.begin + end - 1) / 2.0);
   }
   onField = onField && picture.horizon.fromImage(goal.bottom).y() >= 0;
-  if (onField || isHidden(stretch)) goals.push_back(goal);
+  if (!onField && !isHidden(stretch)) return next;
+  if (onField && goal.meetsField) cutOff(picture, field, goal);
+  goals.push_back(goal);
   return next;
 }
 
+// A person in the goal's color may stand behind it: no goal is seen higher than it must be where
+// its foot is.
+void IndicationScanner::cutOff(const CameraImage& picture, const FieldDimensions& field,
+                               GoalIndication& goal) {
+  constexpr double tolerance = fromDegrees(4);  // the errors of a camera matrix at top and foot
+  const auto place = onGround(picture, goal.foot);
+  if (!place) return;
+  const double distance = (*place - picture.matrix.pose.translation.head<2>()).norm();
+  const double height = field.goalHeight / distance, focal = picture.matrix.info.focalX;
+  const Vector2d up = goal.top - goal.bottom;
+  if (up.norm() <= focal * (height + tolerance)) return;
+  goal.top = goal.bottom + up.normalized() * focal * height;
+  goal.topKnown = false;
+}
+
 // Below it comes a robot down to the green or the end of the line, and nothing that belongs to a
-// flag is near: what is seen above a wall is no goal.
+// flag is near: what is seen above a wall is no goal. Gray is no sign of a robot: it is anywhere.
 bool IndicationScanner::isHidden(const Stretch& goal) const {
   constexpr ColorSet flag{ColorClass::pink, ColorClass::white};
+  constexpr ColorSet robot{ColorClass::red, ColorClass::blue, ColorClass::black};
   const int end = runs_[goal.last].end;
   if (goal.pixels < minHidden || runs_.back().end - end < maxToField) return false;
+  int body = 0;
+  for (std::size_t i = goal.last + 1; i < runs_.size() && runs_[i].begin - end < nearRobot; ++i)
+    if (robot.contains(runs_[i].color)) body += runs_[i].length();
+  if (body < minRobot) return false;
   for (std::size_t i = goal.last + 1; i < runs_.size(); ++i) {
     if (flag.contains(runs_[i].color) && runs_[i].length() >= minPink) return false;
     if (runs_[i].color == ColorClass::green && runs_[i].length() >= minPink) break;

@@ -27,6 +27,7 @@ struct FlagIndication {
 struct GoalIndication {
   GoalColor color = GoalColor::yellow;
   Vector2d top = Vector2d::Zero(), bottom = Vector2d::Zero();
+  bool topKnown = true;     ///< False where it goes on in its color beyond a goal's height.
   bool meetsField = false;  ///< Green begins right below it, at `foot`.
   Vector2d foot = Vector2d::Zero();
 };
@@ -81,7 +82,10 @@ class IndicationScanner {
   void findPlayer(const ScanLine& line, const Stretch& tricot, TeamColor team);
   void findGreen(const CameraImage& picture, const ScanLine& line, const FieldDimensions& field);
   bool isHidden(const Stretch& goal) const;
-  std::size_t findGoal(const CameraImage& picture, const ScanLine& line, std::size_t first);
+  static void cutOff(const CameraImage& picture, const FieldDimensions& field,
+                     GoalIndication& goal);
+  std::size_t findGoal(const CameraImage& picture, const ScanLine& line,
+                       const FieldDimensions& field, std::size_t first);
 
   std::vector<ColorClass> classes_;  ///< Of the pixels.
   std::vector<Run> runs_;

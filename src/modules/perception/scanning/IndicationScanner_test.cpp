@@ -82,6 +82,31 @@ TEST(IndicationScanner, AGoalStandsOnTheField) {
   EXPECT_TRUE(column.scan({{noColor, 20}, {yellow, 2}, {green, 1}}).goals.empty()) << "too small";
 }
 
+TEST(IndicationScanner, AGoalWhoseFootIsHiddenNeedsARobotThere) {
+  Column column;
+  const auto goalsAbove = [&](const std::vector<std::pair<ColorClass, int>>& what) {
+    std::vector<std::pair<ColorClass, int>> runs{{noColor, 20}, {skyblue, 20}};
+    runs.insert(runs.end(), what.begin(), what.end());
+    runs.push_back({green, 1});
+    return column.scan(runs).goals.size();
+  };
+  EXPECT_EQ(goalsAbove({{red, 8}, {gray, 22}}), 1u);
+  EXPECT_EQ(goalsAbove({{gray, 10}, {black, 6}, {gray, 14}}), 1u);
+  EXPECT_EQ(goalsAbove({{gray, 30}}), 0u) << "a shirt above a wall in the shade";
+  EXPECT_EQ(goalsAbove({{red, 5}, {gray, 25}}), 0u);
+  EXPECT_EQ(goalsAbove({{gray, 14}, {red, 16}}), 0u) << "too far below";
+}
+
+TEST(IndicationScanner, AGoalIsNotHigherThanGoalsAreThere) {
+  Column column;
+  const GoalIndication& low = column.scan({{noColor, 18}, {skyblue, 12}, {green, 1}}).goals[0];
+  EXPECT_TRUE(low.topKnown);
+  EXPECT_NEAR(low.top.y(), 18.5, 1e-9);
+  const GoalIndication& high = column.scan({{noColor, 1}, {skyblue, 29}, {green, 1}}).goals[0];
+  EXPECT_FALSE(high.topKnown);
+  EXPECT_NEAR(high.top.y(), 18, 3) << "as high as a goal whose foot is there";
+}
+
 TEST(IndicationScanner, GreenReachesUpToWhatIsNeitherGreenNorALine) {
   Column column;
   ASSERT_EQ(column.scan({{gray, 60}, {green, 1}}).greens.size(), 1u);

@@ -24,6 +24,10 @@ bool isHidden(const CameraImage& picture, const Vector2d& edge, const Vector2d& 
   return picture.contains(beyond) && robot.contains(picture.classAt(beyond));
 }
 
+double heightOf(const GoalIndication& g) {
+  return (g.bottom - g.top).norm();
+}
+
 // Rows, as parts of the goal's height. Robots hide the lower ones.
 constexpr std::array rows{0.15, 0.3, 0.5, 0.7, 0.85};
 
@@ -75,15 +79,17 @@ void GoalSpecialist::scanRows(const CameraImage& picture, const GoalIndication& 
   }
 }
 
+const GoalIndication& GoalSpecialist::highest() const {
+  return *std::ranges::max_element(group_, {}, heightOf);
+}
+
 // The outermost line that shows most of the goal's height: beyond it robots may hide the goal.
 const GoalIndication& GoalSpecialist::outermost(bool left) const {
-  const auto height = [](const GoalIndication& g) { return (g.bottom - g.top).norm(); };
-  double highest = 0;
-  for (const GoalIndication& g : group_) highest = std::max(highest, height(g));
+  const double enough = 0.6 * heightOf(highest());
   const std::size_t n = group_.size();
   for (std::size_t i = 0; i < n; ++i) {
     const GoalIndication& g = group_[left ? i : n - 1 - i];
-    if (height(g) >= 0.6 * highest) return g;
+    if (heightOf(g) >= enough) return g;
   }
   return group_.front();
 }
@@ -94,7 +100,7 @@ void GoalSpecialist::scanColumn(const CameraImage& picture, const GoalIndication
   if (!picture.contains(middle) || !colors.contains(picture.classAt(middle))) return;
   const ColorEdge top = picture.findEdge(middle, -picture.horizon.down, colors, maxGap);
   const ColorEdge bottom = picture.findEdge(middle, picture.horizon.down, colors, maxGap);
-  top_.add(elevation(picture.ray(top.point)), top.onBorder);
+  if (at.topKnown) top_.add(elevation(picture.ray(top.point)), top.onBorder);
   bottom_.add(elevation(picture.ray(bottom.point)),
               bottom.onBorder || isHidden(picture, bottom.point, picture.horizon.down, notBelow));
 }
@@ -109,10 +115,11 @@ bool GoalSpecialist::measure(const CameraImage& picture, const FieldDimensions& 
   constexpr std::size_t columns = 8;
   for (std::size_t i = 0; i < columns; ++i)
     scanColumn(picture, group_[i * (group_.size() - 1) / (columns - 1)], colors);
-  if (left_.empty() || right_.empty() || top_.empty()) return false;
+  if (left_.empty() || right_.empty() || bottom_.empty()) return false;
   const double tolerance = sameEdge / picture.matrix.info.focalX;
   const auto left = left_.merge(1, tolerance, straight),
              right = right_.merge(-1, tolerance, straight);
+  if (top_.empty()) top_.add(elevation(picture.ray(highest().top)), true);
   const auto top = top_.merge(1, tolerance, 0), bottom = bottom_.merge(-1, tolerance, 0);
   goal.boundary = {left.angle,    right.angle,    top.angle,    bottom.angle,
                    left.onBorder, right.onBorder, top.onBorder, bottom.onBorder};

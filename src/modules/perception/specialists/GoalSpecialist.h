@@ -21,6 +21,7 @@ class GoalSpecialist {
   void scanRows(const CameraImage& picture, const GoalIndication& from, ColorSet colors,
                 double sign, EdgeAngles& edge) const;
   const GoalIndication& outermost(bool left) const;
+  const GoalIndication& highest() const;
   void scanColumn(const CameraImage& picture, const GoalIndication& at, ColorSet colors);
 
   std::vector<GoalIndication> members_, group_;

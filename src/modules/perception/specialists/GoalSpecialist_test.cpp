@@ -43,12 +43,33 @@ TEST_F(GoalSpecialistTest, LeavesTheEndOfAGoalOutsideTheImageOpen) {
 
 TEST_F(GoalBehindARobot, ARobotHidesTheFootOfAGoalButNotTheGoal) {
   boxes_ = {{{1500, -300, 0}, {1510, 300, 300}, ColorClass::skyblue},
-            {{600, -200, 0}, {700, 150, 170}, ColorClass::gray}};
+            {{600, -200, 0}, {700, 150, 100}, ColorClass::gray},
+            {{600, -200, 100}, {700, 150, 170}, ColorClass::red}};
   look(0, 0.05);
   ASSERT_EQ(percepts_.landmarks.numberOfGoals, 1);
   const ConditionalBoundary& b = percepts_.landmarks.goals[0].boundary;
   EXPECT_NEAR(toDegrees(b.left), toDegrees(std::atan2(290, 1410)), 1);
   EXPECT_NEAR(toDegrees(b.right), toDegrees(std::atan2(-310, 1410)), 1);
+}
+
+// What hides its foot must be a robot: a shirt above something gray is no goal.
+TEST_F(LikeAGoal, SomethingAboveAGrayBoxIsNone) {
+  for (const ColorClass color : {ColorClass::gray, ColorClass::blue}) {
+    boxes_ = {{{1500, -300, 0}, {1510, 300, 300}, ColorClass::skyblue},
+              {{600, -200, 0}, {700, 150, 170}, color}};
+    look(0, 0.05);
+    EXPECT_EQ(percepts_.landmarks.numberOfGoals, color == ColorClass::blue) << enumName(color);
+  }
+}
+
+TEST_F(LikeAGoal, APersonInItsColorBehindAGoalIsNoPartOfIt) {
+  boxes_ = {{{1500, -300, 0}, {1510, 300, 300}, ColorClass::skyblue},
+            {{2600, -150, 0}, {2700, 250, 1200}, ColorClass::skyblue}};
+  look(0, 0);
+  ASSERT_EQ(percepts_.landmarks.numberOfGoals, 1);
+  const GoalPercept& seen = percepts_.landmarks.goals[0];
+  EXPECT_NEAR(toDegrees(seen.boundary.left), toDegrees(std::atan2(290, 1410)), 1);
+  EXPECT_NEAR(toDegrees(seen.boundary.right), toDegrees(std::atan2(-310, 1410)), 1);
 }
 
 // As high as it is seen, a goal would have to be far away, and so would its foot.
