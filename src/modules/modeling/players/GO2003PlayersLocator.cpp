@@ -74,10 +74,12 @@ void GO2003PlayersLocator::remember(const std::vector<Vector2d>& seen, Time time
                                     const RobotPose& robotPose, const FieldDimensions& field,
                                     Team& team) const {
   const Vector2d half{field.xGroundline, field.ySideline};
-  for (const Vector2d& offset : seen)
+  for (const Vector2d& offset : seen) {
+    const Vector2d place = robotPose.pose * offset;
+    if ((place - nearestOnField(place, field)).norm() > parameters.outside) continue;
     if (team.sightings.size() < mostSightings)
-      team.sightings.push_back(
-          {projectedToBorder(robotPose.pose.translation, robotPose.pose * offset, half), time});
+      team.sightings.push_back({projectedToBorder(robotPose.pose.translation, place, half), time});
+  }
 }
 
 double GO2003PlayersLocator::weight(const Sighting& sighting, Time now) const {

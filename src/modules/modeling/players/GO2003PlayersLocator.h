@@ -24,6 +24,7 @@ class GO2003PlayersLocator {
     double spread = 150;
     double threshold = 1.5;
     double playerSize = 350;
+    double outside = 300;
     std::int64_t silence = 2000;
     double leastValidity = 0.3;
 
@@ -39,6 +40,8 @@ class GO2003PlayersLocator {
                 {0, 100}),
           field("playerSize", &P::playerSize, "mm",
                 "distance below which two players are the same one", {0, 2000}),
+          field("outside", &P::outside, "mm",
+                "distance outside of the field from which on a percept is no player", {0, 10000}),
           field("silence", &P::silence, "ms", "time after which a teammate's position is too old",
                 {0, 100000}),
           field("leastValidity", &P::leastValidity, "",

@@ -84,18 +84,24 @@ TEST(GO2003PlayersLocator, PerceptsAreKeptForTwoSeconds) {
 // Report 3.7.1: along the line from the robot to the percept.
 TEST(GO2003PlayersLocator, PerceptsOutsideOfTheFieldMoveToItsBorder) {
   Watcher watcher;
-  for (int i = 0; i < 5; ++i) watcher.see({}, {{500, 2000}});
+  for (int i = 0; i < 5; ++i) watcher.see({}, {{500, 1600}});
   ASSERT_EQ(watcher.players.opponents.size(), 1u);
   const Vector2d p = watcher.players.opponents[0].position;
   EXPECT_NEAR(p.y(), 1350, 1e-6);
-  EXPECT_NEAR(p.x(), -500 + 1000 * 1350 / 2000., 1e-6);
+  EXPECT_NEAR(p.x(), -500 + 1000 * 1350 / 1600., 1e-6);
   // From outside of the field as well, however wrong the pose.
   watcher.robotPose.pose = {0, -5000, 3000};
-  watcher.see({}, {{-9000, 9000}});
+  watcher.see({}, {{-2300, 1500}});
   for (const LocatedPlayer& player : watcher.players.opponents) {
     EXPECT_LE(std::abs(player.position.x()), 2100 + 1e-9);
     EXPECT_LE(std::abs(player.position.y()), 1350 + 1e-9);
   }
+}
+
+TEST(GO2003PlayersLocator, WhoIsFarOutsideOfTheFieldIsNoPlayer) {
+  Watcher watcher;
+  for (int i = 0; i < 5; ++i) watcher.see({}, {{500, 1700}, {2450, 0}});
+  EXPECT_TRUE(watcher.players.opponents.empty());
 }
 
 TEST(GO2003PlayersLocator, TeamMatesTellWhereTheyAre) {

@@ -3,6 +3,7 @@
 
 #include "debug/Debug.h"
 #include "representations/behavior/TeamMessage.h"
+#include "representations/infrastructure/FieldDimensions.h"
 #include "representations/infrastructure/Player.h"
 #include "representations/modeling/PlayersCollection.h"
 
@@ -19,6 +20,12 @@ struct MessageRule {
 /// Appends the teammates whose messages are believed, where they sent that they are (report 3.7.2).
 void addMates(const TeamMessages& messages, const MessageRule& rule, const Player& player, Time now,
               std::vector<LocatedPlayer>& players);
+
+/// The place on the field that is nearest to a place.
+inline Vector2d nearestOnField(const Vector2d& place, const FieldDimensions& field) {
+  const Vector2d half{field.xGroundline, field.ySideline};
+  return place.cwiseMax(-half).cwiseMin(half);
+}
 
 /// Draws the players on the field, thick if they sent their pose.
 void drawPlayers(const PlayersCollection& players, TeamColor own, Debug& debug);

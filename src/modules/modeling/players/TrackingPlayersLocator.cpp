@@ -88,9 +88,9 @@ void TrackingPlayersLocator::observe(const std::vector<Vector2d>& seen, Time tim
     const Vector2d away = rotated(offset / distance, robotPose.pose.rotation);
     const Eigen::Matrix2d noise = squared(across) * Eigen::Matrix2d::Identity() +
                                   (squared(along) - squared(across)) * away * away.transpose();
-    // Players stand on the field: what is seen beyond its border is nearer.
-    const Vector2d half{field.xGroundline, field.ySideline};
-    const Vector2d position = (robotPose.pose * offset).cwiseMax(-half).cwiseMin(half);
+    // Players stand on the field: what is seen a little beyond its border is nearer.
+    const Vector2d place = robotPose.pose * offset, position = nearestOnField(place, field);
+    if ((place - position).norm() > parameters.outside) continue;
     Track* nearest = nullptr;
     double least = squared(parameters.gate);
     for (std::size_t i = 0; i < before; ++i) {

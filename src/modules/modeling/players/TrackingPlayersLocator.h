@@ -29,6 +29,7 @@ class TrackingPlayersLocator {
     double farthest = 2500;
     double gate = 2.5;
     double playerSize = 350;
+    double outside = 300;
     double seen = 0.5;
     double missed = 0.7;
     double known = 0.7;
@@ -58,6 +59,8 @@ class TrackingPlayersLocator {
                 "standard deviations up to which a percept is that of a known player", {0.1, 10}),
           field("playerSize", &P::playerSize, "mm",
                 "distance below which two players are the same one", {0, 2000}),
+          field("outside", &P::outside, "mm",
+                "distance outside of the field from which on a percept is no player", {0, 10000}),
           field("seen", &P::seen, "", "share of the doubt in a player that a percept takes away",
                 {0, 1}),
           field("missed", &P::missed, "",

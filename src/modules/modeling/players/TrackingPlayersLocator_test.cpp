@@ -139,9 +139,15 @@ TEST(TrackingPlayersLocator, FollowsAPlayerThatWalks) {
 
 TEST(TrackingPlayersLocator, PlayersAreOnTheField) {
   Tracker tracker;
-  for (int i = 0; i < 5; ++i) tracker.see({{500, 2000}});
+  for (int i = 0; i < 5; ++i) tracker.see({{500, 1600}});
   ASSERT_EQ(tracker.opponents().size(), 1u);
   EXPECT_EQ(tracker.opponents()[0].position.y(), tracker.field.ySideline);
+}
+
+TEST(TrackingPlayersLocator, WhoIsFarOutsideOfTheFieldIsNoPlayer) {
+  Tracker tracker;
+  for (int i = 0; i < 10; ++i) tracker.see({{500, 1700}, {-500, -1700}});
+  EXPECT_TRUE(tracker.opponents().empty());
 }
 
 TEST(TrackingPlayersLocator, WhatIsFarAwayDoesNotCount) {

@@ -23,6 +23,8 @@ constexpr double sideToMiddle = 40;     // mm: from what is seen of a tricot to 
 constexpr double bodyWidth = 300;       // mm: the longest that a robot is seen
 constexpr double footBeside = 60;       // mm: feet stand that far beside the tricot
 constexpr double farBelow = 1e4;        // pixels: to the end of the image
+// Tricots are lower than the camera; its matrix errs by 1.5 degrees.
+constexpr double highestTricot = fromDegrees(4);
 
 // What is below the tricot and does not belong to the ground, nor to what lies on it.
 bool isBody(ColorClass color) {
@@ -47,6 +49,7 @@ void PlayerSpecialist::find(const CameraImage& picture,
     cluster_.clear();
     for (const PlayerIndication& indication : indications) {
       if (indication.team != team || indication.pixels < minPixels) continue;
+      if (elevation(picture.ray(indication.upper)) > highestTricot) continue;
       if (!cluster_.empty()) {
         // A robot seen at this size is at most that far away.
         const int pixels = std::max(indication.pixels, cluster_.back().pixels);

@@ -29,6 +29,16 @@ TEST_F(PlayerSpecialistTest, RobotsAreFoundByTheirTricots) {
   }
 }
 
+// A shirt reaches higher than the camera, a tricot does not.
+TEST_F(PlayerSpecialistTest, WhatReachesAboveTheHorizonIsNoTricot) {
+  for (const double top : {185., 320.}) {
+    boxes_ = {{{840, -120, 0}, {960, 120, 110}, ColorClass::gray},
+              {{860, -60, 110}, {940, 60, top}, ColorClass::red}};
+    look(0, -0.1);
+    EXPECT_EQ(players_.players[TeamColor::red].size(), top < 200 ? 1u : 0u) << top;
+  }
+}
+
 // Green is seen between the legs, and the nearest foot stands beside the tricot.
 TEST_F(PlayerSpecialistTest, ARobotIsAsFarAsItsNearestFoot) {
   for (const bool left : {true, false}) {
