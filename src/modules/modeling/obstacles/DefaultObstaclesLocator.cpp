@@ -46,7 +46,7 @@ void DefaultObstaclesLocator::update(const ObstaclesPercept& percept, const PsdP
   move(first_ ? Pose2D{} : odometry.pose.relativeTo(lastOdometry_.pose), frame.time);
   first_ = false;
   lastOdometry_ = odometry;
-  if (parameters.useImages && percept.time != lastPicture_) seeImage(percept, ball);
+  if (parameters.useImages && percept.time != lastPicture_) seeImage(percept, ball, camera);
   lastPicture_ = percept.time;
   if (parameters.usePsd && psd.time != lastPsd_ && camera.valid) seePsd(psd, camera);
   lastPsd_ = psd.time;
@@ -76,13 +76,32 @@ void DefaultObstaclesLocator::move(const Pose2D& step, Time now) {
 // First all that was seen to be free is freed, then obstacles are entered where they were seen:
 // what was known nearer than the image's lower border stays, all else gives way (report 3.5.1,
 // figure 3.13).
-void DefaultObstaclesLocator::seeImage(const ObstaclesPercept& percept, const BallModel& ball) {
-  for (const FreeGround& line : percept.lines) clear(line.nearPoint, line.farPoint);
+void DefaultObstaclesLocator::seeImage(const ObstaclesPercept& percept, const BallModel& ball,
+                                       const CameraMatrix& camera) {
+  for (const FreeGround& seen : percept.lines) {
+    const FreeGround line = surelyFree(seen, camera);
+    clear(line.nearPoint, line.farPoint);
+  }
   const bool ballKnown = percept.time - ball.lastSeen <= parameters.ballTime;
-  for (const FreeGround& line : percept.lines) {
-    const bool isBall = ballKnown && (line.farPoint - ball.position).norm() < parameters.ballSize;
+  for (const FreeGround& seen : percept.lines) {
+    const FreeGround line = surelyFree(seen, camera);
+    const bool isBall = ballKnown && (seen.farPoint - ball.position).norm() < parameters.ballSize;
     model_.enter(line.farPoint, !line.farOnBorder && !isBall, percept.time);
   }
+}
+
+// A camera matrix that errs by an angle errs the more in distance the farther away it looks.
+FreeGround DefaultObstaclesLocator::surelyFree(const FreeGround& line,
+                                               const CameraMatrix& camera) const {
+  const double height = camera.pose.translation.z();
+  if (line.farOnBorder || height <= 0) return line;
+  const Vector2d from = camera.pose.translation.head<2>(), way = line.farPoint - from;
+  const double distance = way.norm(), nearest = (line.nearPoint - from).norm();
+  if (distance <= nearest) return line;
+  const double shorter = height / std::tan(std::atan2(height, distance) + parameters.caution);
+  FreeGround sure = line;
+  sure.farPoint = from + way * (std::max(shorter, nearest) / distance);
+  return sure;
 }
 
 // The sensor's ray passes over what is lower than itself: only that part of it says something that

@@ -21,6 +21,7 @@ class DefaultObstaclesLocator {
     bool usePsd = false;
     double psdAgreement = 0;
     std::int64_t forgetAfter = 4000;
+    double caution = fromDegrees(0.6);
     double ballSize = 150;
     std::int64_t ballTime = 500;
     double lowestObstacle = 100;
@@ -38,6 +39,9 @@ class DefaultObstaclesLocator {
                 {0, 10000}),
           field("forgetAfter", &P::forgetAfter, "ms",
                 "time after which a sector that is not seen again is forgotten", {100, 100000}),
+          field("caution", &P::caution, "rad",
+                "angle by which what stands at the end of free ground may be seen too high",
+                {0, 0.2}),
           field(
               "ballSize", &P::ballSize, "mm",
               "distance from the ball within which the end of free ground is the ball, no obstacle",
@@ -63,7 +67,8 @@ class DefaultObstaclesLocator {
 
  private:
   void move(const Pose2D& step, Time now);
-  void seeImage(const ObstaclesPercept& percept, const BallModel& ball);
+  void seeImage(const ObstaclesPercept& percept, const BallModel& ball, const CameraMatrix& camera);
+  FreeGround surelyFree(const FreeGround& line, const CameraMatrix& camera) const;
   void seePsd(const PsdPercept& psd, const CameraMatrix& camera);
   void clear(const Vector2d& from, const Vector2d& to);
   void seeGoal(const GoalPercept& percept, const LandmarksPercept& landmarks);

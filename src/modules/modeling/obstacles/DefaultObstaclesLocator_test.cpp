@@ -58,6 +58,18 @@ TEST(DefaultObstaclesLocator, KeepsTheMeasurementOfEachSector) {
   EXPECT_EQ(radar.at(180), nothing);
 }
 
+TEST(DefaultObstaclesLocator, IsTheMoreCautiousTheFartherAway) {
+  Radar radar;
+  radar.camera.pose.translation.z() = 200;
+  for (const double distance : {500., 1000., 1500.}) {
+    radar.see({{{200, 1}, {distance, 1}, false}});
+    const double pixels = distance * distance / 200 * radar.locator.parameters.caution;
+    EXPECT_NEAR(radar.at(0), distance - pixels, 0.1 * distance * distance / 1e4);
+  }
+  radar.see({{{600, 1}, {600, 1}, false}});
+  EXPECT_NEAR(radar.at(0), 600, 1) << "nothing is seen to be free there";
+}
+
 // Figure 3.13: what is nearer than the image's lower border stays; what lies where the ground is
 // seen to be free, or behind the obstacle that is seen, gives way to it.
 TEST(DefaultObstaclesLocator, NewMeasurementsReplaceAllButWhatIsTooNearToBeSeen) {

@@ -38,6 +38,27 @@ TEST_F(OnTheGround, FreeGroundEndsAtWhatStandsOnItButNotAtLines) {
   EXPECT_GE(blocked, 2);
 }
 
+TEST_F(OnTheGround, FreeGroundDoesNotEndAtALineSeenLengthwise) {
+  isLine_ = [](double x, double y) { return x > 300 && y > 30 && y < 55; };
+  look(0, -0.4);
+  ASSERT_GE(obstacles_.lines.size(), 10u);
+  for (const FreeGround& line : obstacles_.lines)
+    EXPECT_GT(line.farPoint.x(), 1500) << line.nearPoint.y();
+}
+
+// At 1.2 m a pixel is 43 mm.
+TEST_F(OnTheGround, FreeGroundEndsWithinAThirdOfAPixel) {
+  for (const double distance : {600., 900., 1200.}) {
+    boxes_ = {{{distance, -2000, 0}, {distance + 100, 2000, 100}, ColorClass::white}};
+    look(0, -0.15);
+    const double pixel =
+        std::pow(distance - 90, 2) / matrix_.pose.translation.z() / matrix_.info.focalX;
+    ASSERT_GE(obstacles_.lines.size(), 10u);
+    for (const FreeGround& line : obstacles_.lines)
+      EXPECT_NEAR(line.farPoint.x(), distance, pixel / 3) << line.farPoint.y();
+  }
+}
+
 TEST_F(OnTheGround, GroundThatIsNotGreenIsUnknown) {
   boxes_ = {{{150, -500, 0}, {2000, 500, 5}, ColorClass::gray}};
   look(0, -0.4);

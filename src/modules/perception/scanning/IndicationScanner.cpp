@@ -268,14 +268,41 @@ void IndicationScanner::findGreen(const CameraImage& picture, const ScanLine& li
     if (!place) break;
     const double distance = (*place - picture.matrix.pose.translation.head<2>()).norm();
     const double gap = 4 * expectedLineWidth(picture, distance, field);
-    if (begin - run.begin > gap) break;
+    if (begin - run.begin > gap &&
+        !isSeenLengthwise(picture, line.at((run.begin + begin - 1) / 2.0), distance, field))
+      break;
   }
   GreenSection green;
   green.end = line.at(line.length - 1);
-  // One pixel less, to be on the safe side.
-  green.begin = line.at(std::min(begin + 1, line.length - 1));
+  green.begin = greenEnd(picture, line, begin);
   green.beginOnBorder = begin == 0 && line.fromBorder;
   greens.push_back(green);
+}
+
+// Along itself a field line may be as long as it wants; across it is as narrow as it was painted,
+// which neither robots nor walls are.
+bool IndicationScanner::isSeenLengthwise(const CameraImage& picture, const Vector2d& middle,
+                                         double distance, const FieldDimensions& field) {
+  constexpr double blur = 1.5, widest = 1.3;  // Pixels, painted widths.
+  const double most = widest * picture.matrix.info.focalX * field.lineWidth / distance + blur;
+  double width = 0;
+  for (const double side : {-1., 1.})
+    for (Vector2d p = middle; width <= most; width += 0.5) {
+      if (!picture.contains(p)) return false;
+      if (picture.classAt(p) != ColorClass::white) break;
+      p += 0.5 * side * picture.horizon.along;
+    }
+  return width > 0 && width <= most;
+}
+
+// Where the image is halfway between green and what follows: classes end a pixel or two before.
+Vector2d IndicationScanner::greenEnd(const CameraImage& picture, const ScanLine& line, int begin) {
+  constexpr int inside = 2;  // Pixels, from where the color is not mixed.
+  if (begin == 0 || begin == line.length) return line.at(std::min(begin, line.length - 1));
+  const int from = std::min(begin + inside, line.length - 1);
+  const Vector2d end =
+      picture.findEdge(line.at(from), -line.step, ColorSet{ColorClass::green}, 0).point;
+  return picture.contains(end) ? end : line.at(begin);
 }
 
 }  // namespace gt

@@ -81,6 +81,9 @@ class IndicationScanner {
   void findFlag(const ScanLine& line, std::size_t first);
   void findPlayer(const ScanLine& line, const Stretch& tricot, TeamColor team);
   void findGreen(const CameraImage& picture, const ScanLine& line, const FieldDimensions& field);
+  static bool isSeenLengthwise(const CameraImage& picture, const Vector2d& middle, double distance,
+                               const FieldDimensions& field);
+  static Vector2d greenEnd(const CameraImage& picture, const ScanLine& line, int begin);
   bool isHidden(const Stretch& goal) const;
   static void cutOff(const CameraImage& picture, const FieldDimensions& field,
                      GoalIndication& goal);
