@@ -5,6 +5,7 @@
 
 #include "debug/Debug.h"
 #include "modules/perception/Tasks.h"
+#include "modules/perception/colors/ImageCorrection.h"
 #include "modules/perception/scanning/EdgeScanner.h"
 #include "modules/perception/scanning/IndicationScanner.h"
 #include "modules/perception/scanning/ScanGrid.h"
@@ -34,6 +35,13 @@ class GT2003ImageProcessor {
   /// only the ball's place is judged by its size then. An image without pixels shows nothing.
   void update(const Image& image, const CameraMatrix& matrix, const ColorTable64& colors,
               const FieldDimensions& field, Percepts found, Debug& debug) {
+    lookForAll(correction_.correct(image, horizonOf(matrix), colors), matrix, colors, field, found,
+               debug);
+  }
+
+  /// The same on an image whose colors are corrected.
+  void lookForAll(const Image& image, const CameraMatrix& matrix, const ColorTable64& colors,
+                  const FieldDimensions& field, const Percepts& found, Debug& debug) {
     const auto findBall = [&](const CameraImage& picture, std::span<const BallSegment> segments) {
       ballSpecialist_.find(picture, segments, field.ballRadius, found.ball);
     };
@@ -56,6 +64,7 @@ class GT2003ImageProcessor {
   void drawPercepts(const CameraImage& picture, const Percepts& found, Debug& debug) const;
   void drawGround(const Percepts& found, Debug& debug) const;
 
+  ImageCorrection correction_;
   ScanGrid grid_;
   IndicationScanner scanner_;
   BallSpecialist ballSpecialist_;

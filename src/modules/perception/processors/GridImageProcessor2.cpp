@@ -23,15 +23,16 @@ Vector2d within(const CameraImage& picture, const ConditionalBoundary& b, double
 void GridImageProcessor2::update(const Image& image, const CameraMatrix& matrix,
                                  const FieldDimensions& field, Percepts found, Debug& debug) {
   const Horizon horizon = horizonOf(matrix);
-  colors_.observe(image, horizon);
-  vision_.update(image, matrix, colors_.table(), field, found, debug);
+  const Image& corrected = correction_.correct(image, horizon, colors_.table());
+  colors_.observe(corrected, horizon);
+  vision_.lookForAll(corrected, matrix, colors_.table(), field, found, debug);
   learned_.clear();
   watched_ = debug.isActive(drawLearned);
-  const CameraImage picture{image, colors_.table(), matrix, horizon};
+  const CameraImage picture{corrected, colors_.table(), matrix, horizon};
   learn(picture, found.ball);
   learn(picture, found.landmarks);
   learn(picture, found.players);
-  draw(image, debug);
+  draw(corrected, debug);
   colors_.refresh();
 }
 

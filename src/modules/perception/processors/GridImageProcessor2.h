@@ -22,6 +22,7 @@ class GridImageProcessor2 {
   void learnAt(const CameraImage& picture, const Vector2d& point, ColorClass color);
   void draw(const Image& image, Debug& debug) const;
 
+  ImageCorrection correction_;
   ColorAdaptation colors_;
   GT2003ImageProcessor vision_;
   std::vector<std::pair<Vector2d, ColorClass>> learned_;  ///< Of the image, if somebody watches.

@@ -14,7 +14,8 @@ void GridImageProcessor3::update(const Image& image, const CameraMatrix& matrix,
     ballSpecialist_.find(picture, field.ballRadius, random, found.ball);
     if (!found.ball.seen) ballSpotSpecialist_.find(picture, field.ballRadius, found.ball);
   };
-  vision_.look(image, matrix, colors, field, found, debug, std::cref(findBall));
+  vision_.look(correction_.correct(image, horizonOf(matrix), colors), matrix, colors, field, found,
+               debug, std::cref(findBall));
   auto canvas = debug.onImage(drawBall);
   if (!canvas) return;
   for (const BlackWhiteBallSpecialist::Edge& edge : ballSpecialist_.edges())

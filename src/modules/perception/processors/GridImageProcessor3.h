@@ -14,6 +14,7 @@ class GridImageProcessor3 {
               const FieldDimensions& field, Percepts found, Random& random, Debug& debug);
 
  private:
+  ImageCorrection correction_;
   GT2003ImageProcessor vision_;
   BlackWhiteBallSpecialist ballSpecialist_;
   BallSpotSpecialist ballSpotSpecialist_;

@@ -9,7 +9,7 @@ void GridImageProcessorTSL::update(const Image& image, const CameraMatrix& matri
     known_ = colors;
     table_ = colors.table();
   }
-  vision_.update(image, matrix, table_, field, found, debug);
+  vision_.lookForAll(image, matrix, table_, field, found, debug);
 }
 
 }  // namespace gt

@@ -7,11 +7,12 @@ namespace gt {
 void LinesImageProcessor::update(const Image& image, const CameraMatrix& matrix,
                                  const ColorTable64& colors, const FieldDimensions& field,
                                  Percepts found, Debug& debug) {
-  fetch(image);
+  const Horizon horizon = horizonOf(matrix);
+  const Image& corrected = correction_.correct(image, horizon, colors);
+  fetch(corrected);
   found.clear(image.time);
   found.landmarks.cameraOffset = matrix.pose.translation;
-  const Horizon horizon = horizonOf(matrix);
-  const CameraImage picture{image, colors, matrix, horizon};
+  const CameraImage picture{corrected, colors, matrix, horizon};
   // Only the lines that reach over the whole image.
   grid_.build(image.info, horizon, {.dense = 2, .reachUp = 0, .reachDown = 0});
   scan(picture, grid_, field, scanner_, edgeScanner_);

@@ -1,6 +1,7 @@
 #pragma once
 #include "debug/Debug.h"
 #include "modules/perception/Tasks.h"
+#include "modules/perception/colors/ImageCorrection.h"
 #include "modules/perception/scanning/EdgeScanner.h"
 #include "modules/perception/scanning/IndicationScanner.h"
 #include "modules/perception/scanning/ScanGrid.h"
@@ -18,6 +19,7 @@ class LinesImageProcessor {
               const FieldDimensions& field, Percepts found, Debug& debug);
 
  private:
+  ImageCorrection correction_;
   ScanGrid grid_;
   IndicationScanner scanner_;
   EdgeScanner edgeScanner_;

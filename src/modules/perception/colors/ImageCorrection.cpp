@@ -1,0 +1,163 @@
+#include "modules/perception/colors/ImageCorrection.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gt {
+namespace {
+
+constexpr int carpetStep = 6;        // Pixels between those that are looked at.
+constexpr double wellBelow = 8;      // Pixels below the horizon: what is there is ground, mostly.
+constexpr int fewestGreen = 40;      // Pixels of an image that show carpet, to learn from it.
+constexpr double greenMemory = 0.9;  // The share of what was learned that an image leaves.
+constexpr double lightRate = 0.3;    // With which the brightness follows.
+constexpr double steadying = 20;     // Pixels in the corners that would show no cast.
+constexpr double mostCast = 40;      // Of cb and cr.
+constexpr double leastCast = 4;      // Less is not worth a correction,
+constexpr double leastGain = 0.2;    // nor is so little light (the logarithm of the gain).
+constexpr double mostGain = 4;       // Above it there is nothing left but noise.
+constexpr double middlePart = 0.35;  // Of the squared distance to the corners: the lens loses
+                                     // little light there.
+constexpr std::size_t channels = 4;  // Bytes of a pixel.
+constexpr int chromaOfGray = 128, fraction = 64, gainOne = 4096;
+
+/// How far out a row or column is: its part of the square of the distance from the middle, which
+/// is 1 in the corners.
+double outward(int i, int count) {
+  const double place = (2.0 * i + 1) / count - 1;
+  return place * place / 2;
+}
+
+/// Whether a color can be a carpet's: the less red it is, the more it may be blue.
+bool isGreenish(double y, const Vector2d& chroma) {
+  return -chroma.y() > std::max(8., 0.2 * y) && chroma.x() < 0.15 * -chroma.y();
+}
+
+}  // namespace
+
+const Image& ImageCorrection::correct(const Image& image, const Horizon& horizon,
+                                      const ColorTable64& colors) {
+  allocate(image.info);
+  observe(image, horizon);
+  gain_ = gainFor(colors);
+  if (gain_ == 1 && cast_.norm() < leastCast) return image;
+  apply(image);
+  return corrected_;
+}
+
+// At once, so that no later image has to wait for memory.
+void ImageCorrection::allocate(const CameraInfo& info) {
+  corrected_.info = info;
+  corrected_.allocate();
+  const std::size_t bytes = channels * static_cast<std::size_t>(info.width);
+  for (auto* values : {&columns_, &corners_, &gains_, &neutral_}) values->resize(bytes);
+}
+
+void ImageCorrection::observe(const Image& image, const Horizon& horizon) {
+  const int width = image.info.width, height = image.info.height;
+  double yy = 0, yd = 0, dd = 0, middleY = 0;
+  Vector2d yChroma = Vector2d::Zero(), dChroma = Vector2d::Zero();
+  int green = 0, inMiddle = 0;
+  for (int row = carpetStep / 2; row < height; row += carpetStep)
+    for (int column = carpetStep / 2; column < width; column += carpetStep) {
+      if (horizon.fromImage({column + 0.5, row + 0.5}).y() <= wellBelow) continue;
+      const Pixel& pixel = image.at(column, row);
+      const double y = pixel.y, d = outward(column, width) + outward(row, height);
+      const Vector2d chroma{pixel.cb - chromaOfGray, pixel.cr - chromaOfGray};
+      if (!isGreenish(y, chroma - d * cast_)) continue;
+      ++green;
+      yy += y * y;
+      yd += y * d;
+      dd += d * d;
+      yChroma += y * chroma;
+      dChroma += d * chroma;
+      if (d > middlePart) continue;
+      middleY += y;
+      ++inMiddle;
+    }
+  if (green < fewestGreen) return;
+  yy_ = greenMemory * yy_ + yy;
+  yd_ = greenMemory * yd_ + yd;
+  dd_ = greenMemory * dd_ + dd;
+  yChroma_ = greenMemory * yChroma_ + yChroma;
+  dChroma_ = greenMemory * dChroma_ + dChroma;
+  solve();
+  if (2 * inMiddle < fewestGreen) return;
+  const double y = middleY / inMiddle;
+  greenY_ += (greenY_ > 0 ? lightRate : 1) * (y - greenY_);
+}
+
+// The carpet's chroma is tone * y + cast * d, by least squares.
+void ImageCorrection::solve() {
+  const double dd = dd_ + steadying, determinant = yy_ * dd - yd_ * yd_;
+  if (determinant <= 0) return;
+  tone_ = (dd * yChroma_ - yd_ * dChroma_) / determinant;
+  cast_ = (yy_ * dChroma_ - yd_ * yChroma_) / determinant;
+  cast_ = cast_.cwiseMax(-mostCast).cwiseMin(mostCast);
+}
+
+// The brightnesses at which the table calls the carpet's tone green have those of the images that
+// it was made from in their middle. A table to which the brightness does not matter needs no gain.
+double ImageCorrection::gainFor(const ColorTable64& colors) const {
+  constexpr int leastWidth = 16;  // Of the brightnesses.
+  constexpr double widest = 6;    // The brightest over the darkest.
+  if (greenY_ <= 0) return 1;
+  int darkest = 0, brightest = 0;
+  for (int y = 2; y < 256; y += 4) {
+    const Vector2d chroma = chromaOfGray * Vector2d::Ones() + y * tone_;
+    if (chroma.minCoeff() < 0 || chroma.maxCoeff() >= 256) break;
+    const Pixel pixel{static_cast<std::uint8_t>(y), static_cast<std::uint8_t>(chroma.x()),
+                      static_cast<std::uint8_t>(chroma.y()), 0};
+    if (colors[pixel] != ColorClass::green) continue;
+    if (darkest == 0) darkest = y;
+    brightest = y;
+  }
+  if (brightest - darkest < leastWidth || brightest > widest * darkest) return 1;
+  const double gain = (darkest + brightest) / 2.0 / greenY_;
+  return std::abs(std::log(gain)) < leastGain ? 1 : std::clamp(gain, 1 / mostGain, mostGain);
+}
+
+// In the integers that processors have instructions for, eight or more at once.
+void ImageCorrection::apply(const Image& image) {
+  const int width = image.info.width, height = image.info.height;
+  const std::size_t bytes = channels * static_cast<std::size_t>(width);
+  corrected_.time = image.time;
+  const std::array<double, channels> cast{0, cast_.x(), cast_.y(), 0};
+  const auto fixed = [](double value) {
+    return static_cast<std::int16_t>(std::floor(value + 0.5));
+  };
+  constexpr double one = 32768;
+  for (std::size_t c = 0; c < channels; ++c) {
+    const int gray = c == 1 || c == 2 ? chromaOfGray : 0;
+    const std::int16_t corner = fixed(2 * fraction * cast[c]);
+    const std::int16_t gain = fixed(gainOne * (c < 3 ? gain_ : 1));
+    for (int x = 0; x < width; ++x) {
+      const std::size_t i = channels * static_cast<std::size_t>(x) + c;
+      columns_[i] = fixed(fraction * (gray + cast[c] * outward(x, width)));
+      corners_[i] = corner;
+      gains_[i] = gain;
+      neutral_[i] = static_cast<std::int16_t>(gray);
+    }
+  }
+  const std::int16_t *const __restrict column = columns_.data(),
+                            *const __restrict corner = corners_.data(),
+                            *const __restrict gain = gains_.data(),
+                            *const __restrict gray = neutral_.data();
+  for (int y = 0; y < height; ++y) {
+    const std::int16_t out = fixed(one * outward(y, height));
+    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+    const auto* const __restrict from =
+        reinterpret_cast<const std::uint8_t*>(image.pixels.data() + row);
+    auto* const __restrict to = reinterpret_cast<std::uint8_t*>(corrected_.pixels.data() + row);
+    for (std::size_t i = 0; i < bytes; ++i) {
+      const auto more = static_cast<std::int16_t>(corner[i] * out >> 16);
+      const auto value = static_cast<std::int16_t>(fraction * from[i] - column[i] - more);
+      const auto quarters = static_cast<std::int16_t>(value * gain[i] >> 16);
+      const auto whole = static_cast<std::int16_t>(((quarters + 2) >> 2) + gray[i]);
+      to[i] = static_cast<std::uint8_t>(std::clamp<std::int16_t>(whole, 0, 255));
+    }
+  }
+}
+
+}  // namespace gt

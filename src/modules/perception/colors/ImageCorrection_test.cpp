@@ -1,0 +1,96 @@
+#include "modules/perception/colors/ImageCorrection.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "modules/perception/testing/DrawnField.h"
+
+namespace gt {
+namespace {
+
+/// A table that knows the drawn field's colors in the light that it was made for.
+ColorTable64 tableOfField() {
+  const auto pixel = [](const Vector3d& color) {
+    return Pixel{static_cast<std::uint8_t>(color[0]), static_cast<std::uint8_t>(color[1]),
+                 static_cast<std::uint8_t>(color[2]), 0};
+  };
+  return Palette{{{ColorClass::green, pixel(fieldGreen)}, {ColorClass::white, pixel(fieldWhite)}},
+                 fieldBlack}
+      .table(45);
+}
+
+/// What a camera with a cast in its corners sees.
+struct CastField : DrawnField {
+  ImageCorrection correction;
+  ColorTable64 colors = tableOfField();
+
+  const Image& look(double light, double cast = 0) {
+    Random random{1};
+    draw(fieldAt, light, 1, random);
+    for (int y = 0; y < image.info.height; ++y)
+      for (int x = 0; x < image.info.width; ++x) {
+        const double right = (2 * x + 1.0) / image.info.width - 1;
+        const double down = (2 * y + 1.0) / image.info.height - 1;
+        std::uint8_t& cb = image.at(x, y).cb;
+        cb = static_cast<std::uint8_t>(std::lround(cb + cast * (right * right + down * down) / 2));
+      }
+    return correction.correct(image, horizonOf(matrix), colors);
+  }
+};
+
+TEST(ImageCorrection, LeavesAnImageAloneThatTheTableWasMadeFor) {
+  CastField field;
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(&field.look(1), &field.image);
+  EXPECT_EQ(field.correction.gain(), 1);
+}
+
+TEST(ImageCorrection, MakesAnImageAsBrightAsTheTablesImages) {
+  for (const double light : {0.4, 0.5, 1.6}) {
+    CastField field;
+    const Image& image = field.look(light);
+    EXPECT_NEAR(field.correction.gain(), 1 / light, 0.15 / light) << light;
+    int right = 0, all = 0;
+    for (int y = image.info.height / 2; y < image.info.height; y += 5)
+      for (int x = 0; x < image.info.width; x += 5, ++all)
+        right += field.colors[image.at(x, y)] != ColorClass::noColor ? 1 : 0;
+    EXPECT_GT(right, 0.9 * all) << light;
+    EXPECT_EQ(image.time, field.image.time);
+  }
+}
+
+TEST(ImageCorrection, FollowsTheLight) {
+  CastField field;
+  field.look(1);
+  for (int i = 0; i < 10; ++i) field.look(0.5);
+  EXPECT_NEAR(field.correction.gain(), 2, 0.3);
+}
+
+TEST(ImageCorrection, TakesTheCastOfTheCornersAway) {
+  for (const double light : {1., 0.5})
+    for (const double cast : {16., -10.}) {
+      CastField field;
+      for (int i = 0; i < 20; ++i) field.look(light, cast);
+      EXPECT_NEAR(field.correction.cast().x(), cast, 2) << light;
+      EXPECT_NEAR(field.correction.cast().y(), 0, 1.5) << light;
+      const Image& image = field.look(light, cast);
+      const Pixel corner = image.at(2, image.info.height - 3);
+      EXPECT_NEAR(corner.cb, field.colors[corner] == ColorClass::green ? fieldGreen[1] : 128, 8)
+          << light;
+    }
+}
+
+TEST(ImageCorrection, ATableToWhichLightDoesNotMatterNeedsNoGain) {
+  CastField field;
+  field.colors = blackWhiteTable();
+  EXPECT_EQ(&field.look(0.5), &field.image);
+}
+
+TEST(ImageCorrection, LearnsNothingWithoutCarpet) {
+  CastField field;
+  field.matrix = cameraAt({0, 0, 170}, 0, 0.8, 0);
+  EXPECT_EQ(&field.look(0.5, 16), &field.image);
+}
+
+}  // namespace
+}  // namespace gt
