@@ -205,9 +205,9 @@ struct Eyes {
     // Twice, to know how the robot walks.
     for (const Time time : {Time{view.image.time.ms - tickMs}, view.image.time}) {
       odometry.pose = odometry.pose * view.step;
-      sensorDataProcessors[view.robot].update({time}, view.sensors, view.image, RobotDimensions{},
-                                              RobotCalibration{}, MotionInfo{}, odometry, matrix,
-                                              body, psd);
+      sensorDataProcessors[view.robot].update(
+          {time}, view.sensors, view.image, RobotDimensions{}, RobotCalibration{}, MotionInfo{},
+          odometry, Previous<LandmarksPercept>{percepts.landmarks}, matrix, body, psd);
     }
     if (trueCamera) matrix = view.camera;
     imageProcessor(view.image, matrix, percepts);

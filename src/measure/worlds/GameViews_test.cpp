@@ -21,13 +21,15 @@ double leanError(const CameraMatrix& measured, const CameraMatrix& truth) {
 CameraMatrix measure(const GameView& view) {
   DefaultSensorDataProcessor processor;
   OdometryData odometry;
+  LandmarksPercept landmarks;
   CameraMatrix matrix;
   BodyPercept body;
   PsdPercept psd;
   for (const Time time : {view.image.time - tickMs, view.image.time}) {
     odometry.pose = odometry.pose * view.step;
     processor.update({time}, view.sensors, view.image, RobotDimensions{}, RobotCalibration{},
-                     MotionInfo{}, odometry, matrix, body, psd);
+                     MotionInfo{}, odometry, Previous<LandmarksPercept>{landmarks}, matrix, body,
+                     psd);
   }
   return matrix;
 }

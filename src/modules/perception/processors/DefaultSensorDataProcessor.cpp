@@ -38,9 +38,10 @@ double exposureOf(const Image& image) {
   return (image.info.height - 1) * image.info.rowTime;
 }
 
-/// The camera's pose when an image's middle row was exposed, and how it turned meanwhile; `speed`
-/// is that of the robot (mm/s, rad/s), whose system is that of the image's end.
-CameraMatrix cameraMatrix(const JointMotion& joints, const Image& image,
+/// The camera's pose when an image's middle row was exposed, and how it turned meanwhile; `delay`
+/// is how much older than its time stamp the image is (ms), `speed` that of the robot (mm/s,
+/// rad/s), whose system is that of the time stamp.
+CameraMatrix cameraMatrix(const JointMotion& joints, const Image& image, double delay,
                           const RobotDimensions& robot, const RobotCalibration& calibration,
                           const Pose2D& speed) {
   const CameraInfo& info = image.info;
@@ -51,7 +52,7 @@ CameraMatrix cameraMatrix(const JointMotion& joints, const Image& image,
   CameraMatrix matrix;
   matrix.time = image.time;
   matrix.info = info;
-  const double back = -duration / 2000;
+  const double back = -(duration / 2 + delay) / 1000;
   const Vector2d way = speed.translation * back;
   matrix.pose = Pose3D{rotationZ(speed.rotation * back), {way.x(), way.y(), 0}} * poseAt(0);
   matrix.turning = {0, 0, speed.rotation};
@@ -125,7 +126,10 @@ void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorData
                                         const Image& image, const RobotDimensions& robot,
                                         const RobotCalibration& calibration,
                                         const MotionInfo& motion, const OdometryData& odometry,
-                                        CameraMatrix& matrix, BodyPercept& body, PsdPercept& psd) {
+                                        Previous<LandmarksPercept> landmarks, CameraMatrix& matrix,
+                                        BodyPercept& body, PsdPercept& psd) {
+  // The matrix and the odometry are still those of the last image.
+  delay_.learn(*landmarks, matrix, odometry_, parameters.delayMemory);
   const SensorData& newest = sensors.newest();
   fusion_.parameters = parameters.posture;
   const Vector3d shortAverage = averageAcceleration(sensors, parameters.shortAverage);
@@ -150,16 +154,18 @@ void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorData
   body.tailPan = newest.joints[Joint::tailPan];
 
   const double exposure = exposureOf(image);
-  const JointMotion joints = jointMotion(sensors, image.time, exposure);
+  const double delay = delay_.milliseconds();
+  const Time end = image.time - std::lround(delay);
+  const JointMotion joints = jointMotion(sensors, end, exposure);
   const bool valid = motion.stable && body.state == BodyState::standing;
   // Kicks and falls tell nothing of how the body leans where it stands.
   if (valid)
     fusion_.update(bodyPosture(robot, calibration, joints.at(0)),
-                   accelerationDuring(sensors, image.time, exposure), elapsed,
+                   accelerationDuring(sensors, end, exposure), elapsed,
                    motion.executed.type == MotionType::walk);
   const RobotCalibration corrected{calibration.bodyTiltOffset + fusion_.tilt(),
                                    calibration.bodyRollOffset + fusion_.roll()};
-  matrix = cameraMatrix(joints, image, robot, corrected, speed);
+  matrix = cameraMatrix(joints, image, delay, robot, corrected, speed);
   matrix.valid = valid;
 
   const Pose3D camera = cameraPoseFor(robot, corrected, newest.joints);

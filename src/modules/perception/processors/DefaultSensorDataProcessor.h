@@ -1,5 +1,7 @@
 #pragma once
+#include "framework/Module.h"
 #include "modules/perception/Tasks.h"
+#include "modules/perception/processors/ImageDelay.h"
 #include "modules/perception/processors/PostureFusion.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/Image.h"
@@ -21,6 +23,7 @@ class DefaultSensorDataProcessor {
     double fallenAngle = fromDegrees(50);
     double liftedChange = 2500;
     double offGround = 400;
+    double delayMemory = 60000;
     PostureFusion::Parameters posture;
 
     static constexpr auto fields() {
@@ -35,6 +38,10 @@ class DefaultSensorDataProcessor {
                 "short and long average differ by more where the robot is lifted", {0, 20000}),
           field("offGround", &Parameters::offGround, "ms",
                 "all paws are longer off the ground where the robot is lifted", {0, 10000}),
+          field("delayMemory", &Parameters::delayMemory, "ms",
+                "time constant with which it is learned how much older images are than their time "
+                "stamps",
+                {1000, 1e7}),
           field("posture", &Parameters::posture, "",
                 "how acceleration corrects the body's tilt and roll")};
     }
@@ -43,16 +50,19 @@ class DefaultSensorDataProcessor {
 
   /// Provides the camera matrix of the image, the body's state and the distance sensor's place. The
   /// body's tilt and roll follow from legs and acceleration. The matrix is invalid while the robot
-  /// kicks, gets up or lies; without sensor readings it is that of the last ones.
+  /// kicks, gets up or lies; without sensor readings it is that of the last ones. The flags of the
+  /// last image tell how old images are.
   void update(const FrameInfo& frame, const SensorDataBuffer& sensors, const Image& image,
               const RobotDimensions& robot, const RobotCalibration& calibration,
-              const MotionInfo& motion, const OdometryData& odometry, CameraMatrix& matrix,
-              BodyPercept& body, PsdPercept& psd);
+              const MotionInfo& motion, const OdometryData& odometry,
+              Previous<LandmarksPercept> landmarks, CameraMatrix& matrix, BodyPercept& body,
+              PsdPercept& psd);
 
  private:
   BodyState stateOf(const Vector3d& shortAverage, const SensorData& newest);
 
   PostureFusion fusion_;
+  ImageDelay delay_;
   Pose2D odometry_;
   Vector3d longAverage_ = Vector3d::Zero();
   Time lastUpdate_ = never();

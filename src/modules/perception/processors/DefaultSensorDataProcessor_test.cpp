@@ -27,8 +27,8 @@ class DefaultSensorDataProcessorTest : public testing::Test {
     image_.time = now_;
   }
   void run() {
-    processor_.update({now_}, sensors_, image_, robot_, calibration_, motion_, odometry_, matrix_,
-                      body_, psd_);
+    processor_.update({now_}, sensors_, image_, robot_, calibration_, motion_, odometry_,
+                      Previous<LandmarksPercept>{landmarks_}, matrix_, body_, psd_);
   }
 
   Time now_{200};
@@ -38,6 +38,7 @@ class DefaultSensorDataProcessorTest : public testing::Test {
   RobotCalibration calibration_;
   MotionInfo motion_;
   OdometryData odometry_;
+  LandmarksPercept landmarks_;
   DefaultSensorDataProcessor processor_;
   CameraMatrix matrix_;
   BodyPercept body_;
@@ -57,6 +58,32 @@ TEST_F(DefaultSensorDataProcessorTest, GivesEachRowTheRotationOfItsMoment) {
     EXPECT_LT((matrix_.rotationAt(row) - expected.rotation).norm(), 1e-3) << row;
   }
   EXPECT_NEAR(matrix_.turning.z(), 1.5, 0.2);
+}
+
+// A flag is seen where the head looked 10 ms before the image's time stamp.
+TEST_F(DefaultSensorDataProcessorTest, LearnsHowOldImagesAre) {
+  constexpr double delay = 0.01;
+  double speed = 1.5;
+  for (int i = 0; i < 600; ++i) {
+    now_ = now_ + 40;
+    if (i % 10 == 0) speed = -speed;
+    fill(speed);
+    run();
+    const double middle = static_cast<double>(now_.ms) / 1000 - delay -
+                          (image_.info.height - 1) * image_.info.rowTime / 2000;
+    const Matrix3d truth =
+        cameraPose(robot_, bodyPose(bodyPosture(robot_, sensors_.newest().joints)),
+                   {-0.3, speed * middle, 0})
+            .rotation;
+    const auto azimuth = [](const Matrix3d& camera) {
+      return std::atan2(camera(1, 0), camera(0, 0));
+    };
+    landmarks_.time = now_;
+    landmarks_.numberOfFlags = 1;
+    landmarks_.flags[0].angle = 0.3 + normalize(azimuth(matrix_.pose.rotation) - azimuth(truth));
+    landmarks_.flags[0].distance = 2000;
+  }
+  EXPECT_NEAR(landmarks_.flags[0].angle, 0.3, fromDegrees(0.2)) << "not 0.86 degrees";
 }
 
 TEST_F(DefaultSensorDataProcessorTest, CorrectsTheBodysPostureForThisRobot) {
