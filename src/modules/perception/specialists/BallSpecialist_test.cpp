@@ -183,5 +183,16 @@ TEST_F(BlurredBall, OnePointIsTheHighestOrTheLowest) {
   }
 }
 
+// During a kick the camera matrix does not say that an orange shirt is above the horizon.
+TEST_F(BallSpecialistTest, WithoutACameraMatrixABallHasGreenAroundIt) {
+  for (const double height : {field_.ballRadius, 700.}) {
+    ball_ = Vector3d{900, 0, height};
+    look(0, height > 500 ? 0.4 : -0.1, 0);
+    matrix_.valid = false;
+    percepts_.lookWith(processor_, image_, matrix_, colors_, field_);
+    EXPECT_EQ(percepts_.ball.seen, height < 500) << height;
+  }
+}
+
 }  // namespace
 }  // namespace gt
