@@ -41,7 +41,7 @@ ifeq ($(MAKELEVEL),0)
 MAKEFLAGS += --jobs=2
 endif
 
-.PHONY: help packages-first environment test-packages install play film control pictures random-input play-remote robots chaos growth test python replay realism-page bench experiments mutants soak docs release try-release dependencies build packages format check-format lint verify verify-all test-changed build-times sanitize sanitize-python fuzz clean
+.PHONY: help packages-first environment test-packages install play film control pictures random-input play-remote robots chaos growth test python learners replay realism-page bench experiments mutants soak docs release try-release dependencies build packages format check-format lint verify verify-all test-changed build-times sanitize sanitize-python fuzz clean
 
 help:
 	@echo 'make play          plays a match of $(MINUTES) minutes and writes its report page ($(OUT)/report.html)'
@@ -51,6 +51,7 @@ help:
 	@echo 'make random-input  clicks and types at random in the workbench for MINUTES, with SEED; PRESET=asan under the address sanitizer'
 	@echo 'make test          builds everything and runs all tests'
 	@echo 'make python        makes the environment build/python with the package gt2003, for PYTHON=$(PYTHON)'
+	@echo 'make learners      lets learners of others learn from the environments, in a Python of their own: 5 GB'
 	@echo 'make replay        finds the ball in a real robot'"'"'s log'
 	@echo 'make realism-page  compares images of real robots with simulated ones: out/realism/index.html'
 	@echo 'make robots        builds the programs of robots, with their source lines beside them for crashlog'
@@ -141,6 +142,14 @@ python: build
 	@build/python/bin/pip install --quiet --disable-pip-version-check --no-build-isolation --no-deps --force-reinstall \
 	  --config-settings cmake.define.GT_BUILD=$(CURDIR)/$(BUILD) ./python
 	@echo 'Now: build/python/bin/python python/examples/first_match.py'
+
+# Learners of others have 5 GB of packages.
+learners: TARGETS = --target gt2003_python_package
+learners: ENVIRONMENT = build/python
+learners: PACKAGES += $(if $(filter /usr/bin/python3,$(PYTHON)),$(PYTHONS))
+learners: build
+	@scripts/python-environment build/learners $(PYTHON) python/learners/requirements.txt
+	@PYTHONPATH=$(BUILD)/python build/learners/bin/python -m pytest -q -p no:cacheprovider python/tests/test_learners.py
 
 replay: build
 	@$(BUILD)/bin/replay --out out/replay
