@@ -95,7 +95,7 @@ TEST_F(ColorDialogTest, HsiColorsAreMadeBySlidersAndByClicksOnTheZoomedImage) {
   EXPECT_TRUE(window->dialog("hsi")->unsaved());
   const HsiRange before = chosen();
   clickPixel(*zoom, ball(), Qt::RightButton);
-  EXPECT_FALSE(chosen().contains(hsiOf(orange)));
+  EXPECT_NE(chosen(), before);
   click("hsi", "undo");
   EXPECT_EQ(chosen(), before);
   // By sliders: all that is as orange as the ball.

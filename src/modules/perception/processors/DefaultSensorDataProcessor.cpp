@@ -128,8 +128,10 @@ void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorData
                                         const MotionInfo& motion, const OdometryData& odometry,
                                         Previous<LandmarksPercept> landmarks, CameraMatrix& matrix,
                                         BodyPercept& body, PsdPercept& psd) {
-  // The matrix and the odometry are still those of the last image.
-  delay_.learn(*landmarks, matrix, odometry_, parameters.delayMemory);
+  // On a log that holds percepts instead of images, those of this image have come already.
+  if (landmarks->time == lastMatrix_.time) lastLandmarks_ = *landmarks;
+  delay_.learn(lastLandmarks_, lastMatrix_, odometry_, parameters.delayMemory);
+  lastLandmarks_ = *landmarks;
   const SensorData& newest = sensors.newest();
   fusion_.parameters = parameters.posture;
   const Vector3d shortAverage = averageAcceleration(sensors, parameters.shortAverage);
@@ -167,6 +169,7 @@ void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorData
                                    calibration.bodyRollOffset + fusion_.roll()};
   matrix = cameraMatrix(joints, image, delay, robot, corrected, speed);
   matrix.valid = valid;
+  lastMatrix_ = matrix;
 
   const Pose3D camera = cameraPoseFor(robot, corrected, newest.joints);
   psd.time = newest.time;

@@ -63,7 +63,9 @@ class DefaultSensorDataProcessor {
 
   PostureFusion fusion_;
   ImageDelay delay_;
-  Pose2D odometry_;
+  CameraMatrix lastMatrix_;
+  LandmarksPercept lastLandmarks_;
+  Pose2D odometry_;  ///< With the last matrix.
   Vector3d longAverage_ = Vector3d::Zero();
   Time lastUpdate_ = never();
   Time lastOnGround_ = never();
