@@ -135,13 +135,14 @@ async function checkMatch(simgt) {
     "https://app.foxglove.dev", "-c", "st on 1", "-c", "run 60 s"], { stdio: "ignore" });
   try {
     const client = await connect(`ws://127.0.0.1:${port}`);
+    // At once, since the server's first messages come but once.
+    const viewer = new Viewer(client, (topic) => topic.startsWith("/red1/") ? !topic.includes("/distances/") : some.has(topic));
+    await viewer.until(() => viewer.info && viewer.time, "the time");
     for (const [origin, status] of [["https://app.foxglove.dev", 101], ["http://localhost:8080", 101],
       ["https://elsewhere.example", 403], ["file://", 403]]) {
       const answer = await answerTo(`ws://127.0.0.1:${port}`, origin);
       check(answer === status, `a page of ${origin} gets ${answer} instead of ${status}`);
     }
-    const viewer = new Viewer(client, (topic) => topic.startsWith("/red1/") ? !topic.includes("/distances/") : some.has(topic));
-    await viewer.until(() => viewer.info && viewer.time, "the time");
     for (const robot of ["red1", "blue4"])
       for (const topic of ["camera", "RobotPose", "drawings/SelfLocator/pose", "camera/drawings/ImageProcessor/percepts"])
         check(viewer.topics.has(`/${robot}/${topic}`), `there is no /${robot}/${topic}`);
