@@ -10,7 +10,7 @@
 
 #include "base/Random.h"
 #include "base/SplitMix.h"
-#include "simulation/camera/WideInstructions.h"
+#include "base/WideInstructions.h"
 
 namespace gt {
 namespace {

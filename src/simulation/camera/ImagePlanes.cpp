@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "simulation/camera/WideInstructions.h"
+#include "base/WideInstructions.h"
 
 namespace gt {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstring>
 
-#include "simulation/camera/WideInstructions.h"
+#include "base/WideInstructions.h"
 
 namespace gt {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "base/WideInstructions.h"
 #include "simulation/camera/Lanes.h"
-#include "simulation/camera/WideInstructions.h"
 
 namespace gt {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulation/camera/WideInstructions.h"
+#include "base/WideInstructions.h"
 
 namespace gt {
 namespace {

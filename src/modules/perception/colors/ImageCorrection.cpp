@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/WideInstructions.h"
+
 namespace gt {
 namespace {
 
@@ -23,9 +25,9 @@ constexpr std::size_t channels = 4;  // Bytes of a pixel.
 constexpr int chromaOfGray = 128, fraction = 64, gainOne = 4096;
 
 /// How far out a row or column is: its part of the square of the distance from the middle, which
-/// is 1 in the corners.
-double outward(int i, int count) {
-  const double place = (2.0 * i + 1) / count - 1;
+/// is 1 in the corners. `size` is a pixel's, where the image reaches from -1 to 1.
+double outward(int i, double size) {
+  const double place = (i + 0.5) * size - 1;
   return place * place / 2;
 }
 
@@ -33,6 +35,24 @@ double outward(int i, int count) {
 bool isGreenish(double y, const Vector2d& chroma) {
   return -chroma.y() > std::max(8., 0.2 * y) && chroma.x() < 0.15 * -chroma.y();
 }
+
+/// Corrects a row, in the integers that processors have instructions for, many at once.
+struct CorrectRow {
+  const std::int16_t *column, *corner, *gain, *gray;  ///< For each byte.
+  std::int16_t out;                                   ///< How far out the row is.
+
+  [[gnu::always_inline]] inline void operator()(const std::uint8_t* __restrict from,
+                                                std::uint8_t* __restrict to,
+                                                std::size_t bytes) const {
+    for (std::size_t i = 0; i < bytes; ++i) {
+      const auto more = static_cast<std::int16_t>(corner[i] * out >> 16);
+      const auto value = static_cast<std::int16_t>(fraction * from[i] - column[i] - more);
+      const auto quarters = static_cast<std::int16_t>(value * gain[i] >> 16);
+      const auto whole = static_cast<std::int16_t>(((quarters + 2) >> 2) + gray[i]);
+      to[i] = static_cast<std::uint8_t>(std::clamp<std::int16_t>(whole, 0, 255));
+    }
+  }
+};
 
 }  // namespace
 
@@ -56,6 +76,7 @@ void ImageCorrection::allocate(const CameraInfo& info) {
 
 void ImageCorrection::observe(const Image& image, const Horizon& horizon) {
   const int width = image.info.width, height = image.info.height;
+  const double columnSize = 2. / width, rowSize = 2. / height;
   double yy = 0, yd = 0, dd = 0, middleY = 0;
   Vector2d yChroma = Vector2d::Zero(), dChroma = Vector2d::Zero();
   int green = 0, inMiddle = 0;
@@ -63,7 +84,7 @@ void ImageCorrection::observe(const Image& image, const Horizon& horizon) {
     for (int column = carpetStep / 2; column < width; column += carpetStep) {
       if (horizon.fromImage({column + 0.5, row + 0.5}).y() <= wellBelow) continue;
       const Pixel& pixel = image.at(column, row);
-      const double y = pixel.y, d = outward(column, width) + outward(row, height);
+      const double y = pixel.y, d = outward(column, columnSize) + outward(row, rowSize);
       const Vector2d chroma{pixel.cb - chromaOfGray, pixel.cr - chromaOfGray};
       if (!isGreenish(y, chroma - d * cast_)) continue;
       ++green;
@@ -118,7 +139,6 @@ double ImageCorrection::gainFor(const ColorTable64& colors) const {
   return std::abs(std::log(gain)) < leastGain ? 1 : std::clamp(gain, 1 / mostGain, mostGain);
 }
 
-// In the integers that processors have instructions for, eight or more at once.
 void ImageCorrection::apply(const Image& image) {
   const int width = image.info.width, height = image.info.height;
   const std::size_t bytes = channels * static_cast<std::size_t>(width);
@@ -134,30 +154,21 @@ void ImageCorrection::apply(const Image& image) {
     const std::int16_t gain = fixed(gainOne * (c < 3 ? gain_ : 1));
     for (int x = 0; x < width; ++x) {
       const std::size_t i = channels * static_cast<std::size_t>(x) + c;
-      columns_[i] = fixed(fraction * (gray + cast[c] * outward(x, width)));
+      columns_[i] = fixed(fraction * (gray + cast[c] * outward(x, 2. / width)));
       corners_[i] = corner;
       gains_[i] = gain;
       neutral_[i] = static_cast<std::int16_t>(gray);
     }
   }
-  const std::int16_t *const __restrict column = columns_.data(),
-                            *const __restrict corner = corners_.data(),
-                            *const __restrict gain = gains_.data(),
-                            *const __restrict gray = neutral_.data();
-  for (int y = 0; y < height; ++y) {
-    const std::int16_t out = fixed(one * outward(y, height));
-    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
-    const auto* const __restrict from =
-        reinterpret_cast<const std::uint8_t*>(image.pixels.data() + row);
-    auto* const __restrict to = reinterpret_cast<std::uint8_t*>(corrected_.pixels.data() + row);
-    for (std::size_t i = 0; i < bytes; ++i) {
-      const auto more = static_cast<std::int16_t>(corner[i] * out >> 16);
-      const auto value = static_cast<std::int16_t>(fraction * from[i] - column[i] - more);
-      const auto quarters = static_cast<std::int16_t>(value * gain[i] >> 16);
-      const auto whole = static_cast<std::int16_t>(((quarters + 2) >> 2) + gray[i]);
-      to[i] = static_cast<std::uint8_t>(std::clamp<std::int16_t>(whole, 0, 255));
+  withWideInstructions([&]() __attribute__((always_inline)) {
+    for (int y = 0; y < height; ++y) {
+      const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+      CorrectRow{columns_.data(), corners_.data(), gains_.data(), neutral_.data(),
+                 fixed(one * outward(y, 2. / height))}(
+          reinterpret_cast<const std::uint8_t*>(image.pixels.data() + row),
+          reinterpret_cast<std::uint8_t*>(corrected_.pixels.data() + row), bytes);
     }
-  }
+  });
 }
 
 }  // namespace gt

@@ -28,6 +28,19 @@ void clip(double base, double direction, double size, double& low, double& high,
 
 }  // namespace
 
+int stepsInImage(const CameraInfo& info, const Vector2d& start, const Vector2d& step) {
+  constexpr double rounded = 0.01;  // pixels, by which a walk may be off at its end
+  if (!info.contains(start.x(), start.y())) return 0;
+  double last = info.width + info.height;  // no line in the image is longer
+  const auto limit = [&](double from, double by, double size) {
+    if (by > 0) last = std::min(last, (size - rounded - from) / by);
+    if (by < 0) last = std::min(last, (rounded - from) / by);
+  };
+  limit(start.x(), step.x(), info.width);
+  limit(start.y(), step.y(), info.height);
+  return 1 + static_cast<int>(std::max(0., last));
+}
+
 ScanLine clippedLine(const CameraInfo& info, const Vector2d& base, const Vector2d& direction,
                      double low, double high) {
   ScanLine line;

@@ -64,6 +64,9 @@ class ScanGrid {
   std::vector<ScanLine> lines_, rows_;
 };
 
+/// How many points start + i * step lie in the image before the first one that does not.
+int stepsInImage(const CameraInfo& info, const Vector2d& start, const Vector2d& step);
+
 /// The part of a line base + t * direction (a unit vector), low <= t <= high, that lies in the
 /// image; length 0 if none does.
 ScanLine clippedLine(const CameraInfo& info, const Vector2d& base, const Vector2d& direction,

@@ -50,6 +50,23 @@ TEST(ScanGrid, IsDenseNextToTheHorizonAndCoarseBelow) {
   }
 }
 
+TEST(ScanGrid, CountsTheStepsToTheBorder) {
+  const CameraInfo info;
+  Random random{1};
+  for (int i = 0; i < 1000; ++i) {
+    const Vector2d start{random.uniform(0, info.width), random.uniform(0, info.height)};
+    const Vector2d step = direction(random.uniform(-pi, pi));
+    const int steps = stepsInImage(info, start, step);
+    int expected = 0;
+    for (Vector2d p = start; info.contains(p.x(), p.y()); p += step) ++expected;
+    EXPECT_GE(steps, expected - 1) << start.transpose() << ", " << step.transpose();
+    EXPECT_LE(steps, expected) << start.transpose() << ", " << step.transpose();
+  }
+  EXPECT_EQ(stepsInImage(info, {-1, 10}, {1, 0}), 0) << "from outside";
+  EXPECT_EQ(stepsInImage(info, {0.5, 10}, {1, 0}), info.width);
+  EXPECT_EQ(stepsInImage(info, {0.5, 10}, {-1, 0}), 1);
+}
+
 TEST(ScanGrid, WalksOverThePixelsOfALine) {
   Image image;
   image.allocate();

@@ -96,13 +96,18 @@ void PlayerSpecialist::endCluster(const CameraImage& picture, std::vector<Vector
 void PlayerSpecialist::follow(const CameraImage& picture, double u, double v, double end,
                               Which which) {
   int green = 0, white = 0, body = which == Which::first ? minGreen : 0;
-  Vector2d p = picture.horizon.toPicture(u, v);
+  const Vector2d& down = picture.horizon.down;
+  const Vector2d start = picture.horizon.toPicture(u, v);
+  if (!(v < end)) return;
+  const int length = std::min(stepsInImage(picture.image.info, start, down),
+                              static_cast<int>(std::ceil(std::min(end - v, farBelow))));
+  PixelWalk walk{picture.image, {.start = start, .step = down}};
   std::optional<Vector2d> foot;
   const bool aboveHorizon = v < 0;
   const ColorClass others =
       cluster_.front().team == TeamColor::red ? ColorClass::blue : ColorClass::red;
-  for (; v < end && picture.contains(p); v += 1, p += picture.horizon.down) {
-    const ColorClass color = picture.classAt(p);
+  for (int i = 0; i < length; ++i, walk.step()) {
+    const ColorClass color = picture.colors[walk.pixel()];
     white += color == ColorClass::white ? 1 : 0;
     if (color == others || (aboveHorizon && white >= minWall)) return;
     green = color == ColorClass::green ? green + 1 : 0;
@@ -111,7 +116,7 @@ void PlayerSpecialist::follow(const CameraImage& picture, double u, double v, do
     body += isBody(color) ? 1 : 0;
     if (green < minGreen) continue;
     if (body >= (which == Which::first ? minGreen : minLeg))
-      foot = p - picture.horizon.down * (minGreen - 0.5);
+      foot = start + down * (i - minGreen + 0.5);
     if (foot && which == Which::first) break;
     body = 0;
   }
@@ -122,8 +127,8 @@ void PlayerSpecialist::follow(const CameraImage& picture, double u, double v, do
   if (foot) {
     feet_.push_back(*foot);
     foot_ = std::min(foot_, distanceOf(*foot));
-  } else if (v < end && body > minGreen && which == Which::first) {
-    border_ = std::min(border_, distanceOf(p - picture.horizon.down));
+  } else if (which == Which::first && body > minGreen) {
+    border_ = std::min(border_, distanceOf(start + down * (length - 1)));
   }
 }
 
