@@ -15,13 +15,15 @@ enum class Severity { note, warning, error };
 /// `Error{.file = path, .line = 3, .field = "gain", .what = "expected a number"}`.
 struct Error {
   std::string
-      file{};    ///< Path as the user gave it, or a name of the source ("console", "network").
-  int line = 0;  ///< From 1; 0 where there are no lines.
+      file{};      ///< Path as the user gave it, or a name of the source ("console", "network").
+  int line = 0;    ///< From 1; 0 where there are no lines.
+  int column = 0;  ///< From 1; 0 if it is not known.
   std::string field{};  ///< The field, element or name concerned; may be empty.
   std::string what{};   ///< What is wrong, and what was expected.
   Severity severity = Severity::error;
 
-  /// One line: `file:line: field: what`, with `warning: ` before the field of a warning.
+  /// One line: `file:line:column: field: what`, as compilers name places, with `warning: ` before
+  /// the field of a warning.
   std::string text() const;
 };
 

@@ -238,11 +238,9 @@ Result<void> Console::forEachRobot(const std::function<Result<void>(ConsoleRobot
   if (robots.empty()) return Error{.field = "robot", .what = "there is none"};
   for (ConsoleRobot* robot : robots)
     if (const auto done = work(*robot); !done) {
-      const Error& error = done.error();
-      return Error{.file = error.file,
-                   .line = error.line,
-                   .field = error.field,
-                   .what = error.what + " (" + robot->name() + ")"};
+      Error error = done.error();
+      error.what += " (" + robot->name() + ")";
+      return error;
     }
   return {};
 }

@@ -27,7 +27,7 @@ struct Row {
   Cells cells;
 
   Error wrong(std::size_t column, std::string what) const {
-    return {file, line, columns[column], std::move(what)};
+    return {.file = file, .line = line, .field = columns[column], .what = std::move(what)};
   }
   template <typename T>
   Result<T> number(std::size_t column) const {

@@ -44,7 +44,11 @@ Result<void> LockstepRobot::greet() {
     if (message.is<LockstepGreeting>()) read = message.read(greeting_);
     if (message.is<CameraSettings>()) read = message.read(commands_.camera);
     if (LockstepFailure told; message.is<LockstepFailure>() && (read = message.read(told)))
-      failure = Error{told.file, told.line, told.element, told.what};
+      failure = Error{.file = told.file,
+                      .line = told.line,
+                      .column = told.column,
+                      .field = told.element,
+                      .what = told.what};
     if (!read) done = read;
   });
   if (failure) return *failure;

@@ -160,8 +160,9 @@ TEST_F(LockstepRobotTest, RefusesAnAnswerWithoutJoints) {
 }
 
 TEST_F(LockstepRobotTest, ReportsWhyAProgramCannotPlay) {
-  EXPECT_EQ(errorOfGreeting(queueOf(LockstepFailure{"config/a.cfg", 3, "gain", "is no number"})),
-            "config/a.cfg:3: gain: is no number");
+  const LockstepFailure failure{
+      .file = "config/a.cfg", .line = 3, .column = 8, .element = "gain", .what = "is no number"};
+  EXPECT_EQ(errorOfGreeting(queueOf(failure)), "config/a.cfg:3:8: gain: is no number");
 }
 
 TEST_F(LockstepRobotTest, RefusesAnotherProtocol) {

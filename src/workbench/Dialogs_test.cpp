@@ -263,8 +263,10 @@ TEST_F(DialogTest, ASceneIsEditedAndBegun) {
   type(QString{scene}.replace("<balls>", "\n<bals>").replace("</balls>", "</bals>"));
   EXPECT_TRUE(shown("bals")) << errors->item(0)->text().toStdString();
   const int line = text->toPlainText().split("<bals>").front().count('\n') + 1;
-  EXPECT_TRUE(errors->item(0)->text().startsWith(QString{"%1: "}.arg(line)))
+  EXPECT_TRUE(errors->item(0)->text().contains(QString{".scene:%1:"}.arg(line)))
       << errors->item(0)->text().toStdString();
+  emit errors->itemClicked(errors->item(0));
+  EXPECT_EQ(text->textCursor().blockNumber() + 1, line);
   // Another place of the ball, in a file of its own.
   type(QString{scene}.replace("<ball x=\"0\"", "<ball x=\"700\""));
   ASSERT_TRUE(window->dialog("sceneEditor")->unsaved());

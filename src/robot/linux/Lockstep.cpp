@@ -119,7 +119,11 @@ Result<void> runInLockstep(const RobotProgramOptions& options, const RobotModule
   // Who cannot be sent anything has ended, which is noticed when nothing more comes.
   if (!robot) {
     const Error& error = robot.error();
-    messages.write(Time{}, LockstepFailure{error.file, error.line, error.field, error.what});
+    messages.write(Time{}, LockstepFailure{.file = error.file,
+                                           .line = error.line,
+                                           .column = error.column,
+                                           .element = error.field,
+                                           .what = error.what});
     static_cast<void>(simulator.introduce(messages));
     return {};
   }

@@ -32,12 +32,13 @@ std::vector<std::string> kickNames(const MotionNet& net);
 /// Why a robot in lockstep cannot be started: an Error.
 struct LockstepFailure {
   std::string file;
-  int line = 0;
+  int line = 0, column = 0;
   std::string element;  ///< The error's field.
   std::string what;
 
   static constexpr auto fields() {
     return Fields{field("file", &LockstepFailure::file), field("line", &LockstepFailure::line),
+                  field("column", &LockstepFailure::column),
                   field("element", &LockstepFailure::element),
                   field("what", &LockstepFailure::what)};
   }

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "base/Column.h"
 #include "modules/behavior/control/BehaviorRequest.h"
 #include "modules/behavior/control/GT2003BehaviorControl.h"
 #include "modules/behavior/control/ObstacleAvoiderOnGreenField.h"
@@ -25,7 +24,8 @@ void add(const std::vector<xabsl::Diagnostic>& diagnostics, Findings& findings) 
     const bool isError = diagnostic.severity == xabsl::Diagnostic::Severity::error;
     findings.add({.file = diagnostic.file,
                   .line = diagnostic.line,
-                  .what = withColumn(diagnostic.message, diagnostic.column),
+                  .column = diagnostic.column,
+                  .what = diagnostic.message,
                   .severity = isError ? Severity::error : Severity::warning});
   }
 }

@@ -11,11 +11,10 @@ struct FilePlace {
   int column = 0;
 };
 
-/// What is wrong at a place of a file. An Error has no column: it is stated with what is wrong.
+/// What is wrong at a place of a file.
 inline Error errorAt(const std::string& file, const FilePlace& place, const std::string& field,
                      const std::string& what) {
-  return {file, place.line, field,
-          place.column > 0 ? what + " (column " + std::to_string(place.column) + ")" : what};
+  return {.file = file, .line = place.line, .column = place.column, .field = field, .what = what};
 }
 
 }  // namespace gt

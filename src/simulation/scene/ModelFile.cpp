@@ -91,7 +91,11 @@ ModelFile::Included ModelFile::originOf(const xmlNode* node) const {
 
 Error ModelFile::at(const xmlNode* node, const std::string& field, const std::string& what,
                     Severity severity) const {
-  return {originOf(node).file, lineOf(node), field, what, severity};
+  return {.file = originOf(node).file,
+          .line = lineOf(node),
+          .field = field,
+          .what = what,
+          .severity = severity};
 }
 
 void ModelFile::include(std::vector<Error>& errors) {

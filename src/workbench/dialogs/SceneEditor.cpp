@@ -10,6 +10,8 @@
 #include <QSplitter>
 #include <QTextBlock>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <filesystem>
 #include <vector>
 
 #include "simulation/scene/Scene.h"
@@ -24,7 +26,12 @@ namespace {
 
 constexpr int pause = 400;  ///< ms without a key before the text is checked.
 
-/// What is wrong with a text as the scene of a file. It need not be written there yet.
+std::string fileNameOf(const std::string& file) {
+  return std::filesystem::path{file}.filename().string();
+}
+
+/// What is wrong with a text as the scene of a file. It need not be written there yet; what is
+/// wrong in it is named by the file's name alone.
 std::vector<Error> errorsIn(const std::string& file, const std::string& text) {
   const TemporaryFolder folder;
   const std::string copy = (folder.path() / "checked.scene").string();
@@ -33,6 +40,8 @@ std::vector<Error> errorsIn(const std::string& file, const std::string& text) {
   SceneDescription scene = loadScene(copy, errors);
   scene.file = file;
   findSceneFiles(scene, errors);
+  for (Error& error : errors)
+    if (error.file == copy || error.file == file) error.file = fileNameOf(file);
   return errors;
 }
 
@@ -72,7 +81,7 @@ class SceneEditor : public Dialog {
     errors_->setObjectName("errors");
     errors_->setToolTip("What is wrong; a click goes there");
     QObject::connect(errors_, &QListWidget::itemClicked, this, [this](const QListWidgetItem* item) {
-      goTo(item->data(Qt::UserRole).toInt());
+      goTo(item->data(Qt::UserRole).toPoint());
     });
     parts->addWidget(errors_);
     parts->setStretchFactor(0, 4);
@@ -112,13 +121,10 @@ class SceneEditor : public Dialog {
     errors_->clear();
     QList<QTextEdit::ExtraSelection> marks;
     for (const Error& error : errors) {
-      auto* item = new QListWidgetItem{
-          QString{"%1: %2"}
-              .arg(error.line)
-              .arg(QString::fromStdString(error.field.empty() ? error.what
-                                                              : error.field + ": " + error.what))};
-      item->setData(Qt::UserRole, error.line);
+      auto* item = new QListWidgetItem{QString::fromStdString(error.text())};
       errors_->addItem(item);
+      if (error.file != fileNameOf(file_.toStdString())) continue;
+      item->setData(Qt::UserRole, QPoint{error.column, error.line});
       const QTextBlock line = text_->document()->findBlockByNumber(error.line - 1);
       if (!line.isValid()) continue;
       QTextEdit::ExtraSelection mark;
@@ -131,10 +137,14 @@ class SceneEditor : public Dialog {
     text_->setExtraSelections(marks);
     if (errors.empty()) errors_->addItem("Nothing is wrong");
   }
-  void goTo(int line) {
-    const QTextBlock block = text_->document()->findBlockByNumber(line - 1);
+  /// Puts the cursor to a column and line.
+  void goTo(const QPoint& place) {
+    const QTextBlock block = text_->document()->findBlockByNumber(place.y() - 1);
     if (!block.isValid()) return;
-    text_->setTextCursor(QTextCursor{block});
+    QTextCursor cursor{block};
+    cursor.movePosition(QTextCursor::Right, QTextCursor::MoveAnchor,
+                        std::clamp(place.x() - 1, 0, block.length() - 1));
+    text_->setTextCursor(cursor);
     text_->centerCursor();
     text_->setFocus();
   }
