@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "streams/File.h"
-
 namespace gt {
 namespace {
 
@@ -58,15 +56,11 @@ Error in(Error error, std::string_view name) {
 }  // namespace
 
 void OutFile::writeToStream(std::span<const std::byte> bytes) {
-  file_.write(reinterpret_cast<const char*>(bytes.data()),
-              static_cast<std::streamsize>(bytes.size()));
+  if (file_) file_->put({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 Result<void> OutFile::close() {
-  const bool good = file_.is_open() && file_.good();
-  file_.close();
-  if (good && file_) return {};
-  return Error{.file = path_, .what = "cannot be written"};
+  return file_ ? file_->close() : file_.error();
 }
 
 void OutMemory::writeToStream(std::span<const std::byte> bytes) {

@@ -1,6 +1,5 @@
 #pragma once
 #include <cstddef>
-#include <fstream>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,6 +9,7 @@
 
 #include "base/Result.h"
 #include "streams/Binary.h"
+#include "streams/File.h"
 #include "streams/Type.h"
 
 /// Streams composed of a medium and a format (report, Appendix D): `OutTextFile stream("a.txt");
@@ -31,17 +31,16 @@ class PhysicalOutStream {
   virtual void writeToStream(std::span<const std::byte> bytes) = 0;
 };
 
-/// Writes into a file.
+/// Writes a file, whole or not at all: it is there once it is closed, see OutputFile.
 class OutFile : public PhysicalOutStream {
  public:
-  explicit OutFile(const std::string& path) : path_{path}, file_{path, std::ios::binary} {}
+  explicit OutFile(const std::string& path) : file_{OutputFile::open(path)} {}
   void writeToStream(std::span<const std::byte> bytes) override;
   /// Returns whether all could be written.
   Result<void> close();
 
  private:
-  std::string path_;
-  std::ofstream file_;
+  Result<OutputFile> file_;
 };
 
 /// Writes into memory.

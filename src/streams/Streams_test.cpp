@@ -7,6 +7,7 @@
 
 #include "streams/Binary.h"
 #include "streams/File.h"
+#include "streams/TemporaryFolder.h"
 #include "support/Samples.h"
 
 namespace gt {
@@ -70,6 +71,22 @@ TEST(Streams, FilesHoldWhatWasWritten) {
   OutTextFile nowhere{"/nowhere/file"};
   write(nowhere);
   EXPECT_FALSE(nowhere.close());
+}
+
+/// A stream that is given up leaves the file that was there before.
+TEST(Streams, FilesAreWrittenWholeOrNotAtAll) {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "a.txt").string();
+  OutTextFile first{path};
+  write(first);
+  ASSERT_TRUE(first.close());
+  const std::string before = *readFile(path);
+  {
+    OutTextFile second{path};
+    second << 17;
+  }
+  EXPECT_EQ(*readFile(path), before);
+  EXPECT_FALSE(std::filesystem::exists(unfinishedName(path)));
 }
 
 TEST(Streams, SizesAreThoseOfWhatIsStored) {
