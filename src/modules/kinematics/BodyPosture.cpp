@@ -21,6 +21,11 @@ BodyPosture standingOn(const Vector3d& fore, const Vector3d& hind, double footRa
   return {footRadius - fore.x() * std::sin(tilt) - fore.z() * std::cos(tilt), tilt};
 }
 
+/// What a body that does not stand lies on (models/ers210.xml): the fore end of its trunk with the
+/// radius around it, the hind end, and its knees with theirs (mm).
+const Vector3d chest{66, 0, -12}, rump{-82, 0, -38};
+constexpr double chestRadius = 28, kneeRadius = 14;
+
 }  // namespace
 
 BodyPosture bodyPosture(const RobotDimensions& robot, const JointAngles& angles) {
@@ -48,6 +53,24 @@ BodyPosture bodyPosture(const RobotDimensions& robot, const RobotCalibration& ca
   BodyPosture posture = bodyPosture(robot, joints);
   posture.tilt += calibration.bodyTiltOffset;
   posture.roll += calibration.bodyRollOffset;
+  return posture;
+}
+
+BodyPosture restingPosture(const RobotDimensions& robot, const JointAngles& angles,
+                           const Vector3d& acceleration) {
+  BodyPosture posture;
+  posture.tilt = std::atan2(acceleration.x(), acceleration.z());
+  posture.roll = std::atan2(acceleration.y(), std::hypot(acceleration.x(), acceleration.z()));
+  const Matrix3d upright = bodyPose(posture).rotation;
+  double lowest = std::min((upright * chest).z() - chestRadius, (upright * rump).z());
+  const auto reach = [&](const Vector3d& point, double radius) {
+    lowest = std::min(lowest, (upright * point).z() - radius);
+  };
+  for (const auto leg : {Leg::foreRight, Leg::foreLeft, Leg::hindRight, Leg::hindLeft}) {
+    reach(footPosition(robot, leg, legOf(angles, leg)), robot.footRadius);
+    reach(kneePosition(robot, leg, legOf(angles, leg)), kneeRadius);
+  }
+  posture.height = -lowest;
   return posture;
 }
 

@@ -20,6 +20,12 @@ BodyPosture bodyPosture(const RobotDimensions& robot, const JointAngles& angles)
 BodyPosture bodyPosture(const RobotDimensions& robot, const RobotCalibration& calibration,
                         const JointAngles& angles);
 
+/// The posture of a body at rest that may lie on its trunk or its knees: gravity gives its tilt and
+/// roll, the lowest point its height. `acceleration` is what its sensors feel at rest (mm/s^2, in
+/// the body's axes).
+BodyPosture restingPosture(const RobotDimensions& robot, const JointAngles& angles,
+                           const Vector3d& acceleration);
+
 /// The body's pose relative to the robot's origin, which lies on the ground below the body's.
 Pose3D bodyPose(const BodyPosture& posture);
 

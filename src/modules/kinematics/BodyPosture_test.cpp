@@ -56,5 +56,42 @@ TEST(BodyPosture, LongerForeLegsLiftTheNose) {
             (bodyPose(posture) * Vector3d{-75, 0, 50}).z());
 }
 
+TEST(BodyPosture, AtRestAStandingBodyStandsOnItsFeet) {
+  const RobotDimensions robot;
+  JointAngles angles;
+  for (const auto leg : {Leg::hindRight, Leg::hindLeft}) setLeg(angles, leg, {0, 0, 0.4});
+  const BodyPosture byLegs = bodyPosture(robot, angles);
+  const Vector3d felt = bodyPose(byLegs).rotation.transpose() * Vector3d{0, 0, 9810};
+  const BodyPosture atRest = restingPosture(robot, angles, felt);
+  EXPECT_NEAR(atRest.tilt, byLegs.tilt, 1e-9);
+  EXPECT_NEAR(atRest.roll, 0, 1e-9);
+  EXPECT_NEAR(atRest.height, byLegs.height, 1e-6);
+}
+
+// With its legs stretched out to the sides it lies on chest and rump, or on the knee of one side.
+TEST(BodyPosture, AtRestABodyWithoutLegsBelowLiesOnItsTrunk) {
+  const RobotDimensions robot;
+  JointAngles angles;
+  for (const auto leg : {Leg::foreRight, Leg::foreLeft, Leg::hindRight, Leg::hindLeft})
+    setLeg(angles, leg, {0, fromDegrees(85), 0});
+  const BodyPosture level = restingPosture(robot, angles, {0, 0, 9810});
+  EXPECT_NEAR(level.height, 40, 1e-9) << "the chest's radius below its middle";
+  const BodyPosture nose =
+      restingPosture(robot, angles, {9810 * std::sin(0.2), 0, 9810 * std::cos(0.2)});
+  EXPECT_NEAR(nose.tilt, 0.2, 1e-9);
+  EXPECT_NEAR((bodyPose(nose) * Vector3d{-82, 0, -38}).z(), 0, 1e-9) << "on its rump";
+  const BodyPosture left =
+      restingPosture(robot, angles, {0, -9810 * std::sin(0.3), 9810 * std::cos(0.3)});
+  EXPECT_NEAR(left.roll, -0.3, 1e-9);
+  double lowest = 1e9;
+  for (const auto leg : {Leg::foreLeft, Leg::hindLeft}) {
+    const Pose3D pose = bodyPose(left);
+    lowest = std::min({lowest,
+                       (pose * footPosition(robot, leg, legOf(angles, leg))).z() - robot.footRadius,
+                       (pose * kneePosition(robot, leg, legOf(angles, leg))).z() - 14});
+  }
+  EXPECT_NEAR(lowest, 0, 1e-9) << "on the legs of the lower side";
+}
+
 }  // namespace
 }  // namespace gt

@@ -17,7 +17,8 @@ struct SensorDataProcessor {
   using Outputs = std::tuple<CameraMatrix, BodyPercept, PsdPercept>;
 };
 
-/// The task of finding things in an image (report 3.2).
+/// The task of finding things in an image (report 3.2). Percepts are places around the robot: of an
+/// image without a valid camera matrix, as during kicks and falls, there are none.
 struct ImageProcessor {
   using Outputs =
       std::tuple<BallPercept, LandmarksPercept, LinesPercept, PlayersPercept, ObstaclesPercept>;

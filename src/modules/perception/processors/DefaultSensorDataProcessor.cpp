@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "modules/kinematics/BodyPosture.h"
 #include "modules/kinematics/HeadKinematics.h"
@@ -14,10 +15,26 @@ namespace {
 constexpr double psdForward = 26.5, psdUp = 13.4;
 constexpr double psdRange = 900;
 
-Pose3D cameraPoseFor(const RobotDimensions& robot, const RobotCalibration& calibration,
-                     const JointAngles& joints) {
-  return cameraPose(robot, bodyPose(bodyPosture(robot, calibration, joints)),
+Pose3D cameraPoseOn(const RobotDimensions& robot, const BodyPosture& posture,
+                    const JointAngles& joints) {
+  return cameraPose(robot, bodyPose(posture),
                     {joints[Joint::headTilt], joints[Joint::headPan], joints[Joint::headRoll]});
+}
+
+/// The mean acceleration of all frames if the legs hold still in them and nothing but gravity is
+/// felt.
+std::optional<Vector3d> gravityAtRest(const SensorDataBuffer& sensors) {
+  constexpr double still = fromDegrees(15) / 1000;  // rad/ms; of a joint
+  constexpr double gravity = 9810, allowed = 1000;  // mm/s^2; with the sensors' zero
+  const Time newest = sensors.newest().time;
+  const auto duration = static_cast<double>(newest - sensors.frames.front().time);
+  const JointMotion joints = jointMotion(sensors, newest, duration);
+  for (const Leg leg : {Leg::foreRight, Leg::foreLeft, Leg::hindRight, Leg::hindLeft})
+    for (int number = 1; number <= 3; ++number)
+      if (std::abs(joints.perMillisecond[legJoint(leg, number)]) > still) return std::nullopt;
+  const Vector3d mean = averageAcceleration(sensors, SensorDataBuffer::capacity);
+  if (std::abs(mean.norm() - gravity) > allowed) return std::nullopt;
+  return mean;
 }
 
 /// The rotation vector of a rotation matrix.
@@ -40,15 +57,13 @@ double exposureOf(const Image& image) {
 
 /// The camera's pose when an image's middle row was exposed, and how it turned meanwhile; `delay`
 /// is how much older than its time stamp the image is (ms), `speed` that of the robot (mm/s,
-/// rad/s), whose system is that of the time stamp.
+/// rad/s), whose system is that of the time stamp. `poseFor` gives the camera's pose for joints.
+template <typename PoseFor>
 CameraMatrix cameraMatrix(const JointMotion& joints, const Image& image, double delay,
-                          const RobotDimensions& robot, const RobotCalibration& calibration,
-                          const Pose2D& speed) {
+                          const Pose2D& speed, PoseFor poseFor) {
   const CameraInfo& info = image.info;
   const double duration = exposureOf(image);
-  const auto poseAt = [&](double milliseconds) {
-    return cameraPoseFor(robot, calibration, joints.at(milliseconds));
-  };
+  const auto poseAt = [&](double milliseconds) { return poseFor(joints.at(milliseconds)); };
   CameraMatrix matrix;
   matrix.time = image.time;
   matrix.info = info;
@@ -148,7 +163,7 @@ void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorData
 
   const BodyPosture posture = bodyPosture(robot, newest.joints);
   body.time = newest.time;
-  body.state = stateOf(shortAverage, newest);
+  body.state = stateOf(shortAverage, newest, motion.stable);
   body.tilt = std::atan2(shortAverage.x(), std::hypot(shortAverage.y(), shortAverage.z()));
   body.roll = std::atan2(shortAverage.y(), shortAverage.z());
   body.height = posture.height;
@@ -159,35 +174,44 @@ void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorData
   const double delay = delay_.milliseconds();
   const Time end = image.time - std::lround(delay);
   const JointMotion joints = jointMotion(sensors, end, exposure);
-  const bool valid = motion.stable && body.state == BodyState::standing;
+  const bool stands = body.state == BodyState::standing;
   // Kicks and falls tell nothing of how the body leans where it stands.
-  if (valid)
+  if (stands && motion.stable)
     fusion_.update(bodyPosture(robot, calibration, joints.at(0)),
                    accelerationDuring(sensors, end, exposure), elapsed,
                    motion.executed.type == MotionType::walk);
   const RobotCalibration corrected{calibration.bodyTiltOffset + fusion_.tilt(),
                                    calibration.bodyRollOffset + fusion_.roll()};
-  matrix = cameraMatrix(joints, image, delay, robot, corrected, speed);
-  matrix.valid = valid;
+  // What neither walks nor kicks may lie, as a goalie that blocks: how it lies shows at rest.
+  const std::optional<Vector3d> gravity = motion.stable ? std::nullopt : gravityAtRest(sensors);
+  const auto poseFor = [&](const JointAngles& angles) {
+    return cameraPoseOn(
+        robot,
+        gravity ? restingPosture(robot, angles, *gravity) : bodyPosture(robot, corrected, angles),
+        angles);
+  };
+  matrix = cameraMatrix(joints, image, delay, speed, poseFor);
+  matrix.valid = stands && (motion.stable || gravity);
   lastMatrix_ = matrix;
 
-  const Pose3D camera = cameraPoseFor(robot, corrected, newest.joints);
+  const Pose3D camera = poseFor(newest.joints);
   psd.time = newest.time;
   psd.tooFarAway = newest.psd >= psdRange;
   psd.offset = camera * Vector3d{psdForward - robot.panToCamera + newest.psd, 0, psdUp};
 }
 
 // Fallen: the body leans for long, and still does. Lifted: gravity's direction or strength is no
-// longer what it has been for long, or the feet hang in the air (report 3.1).
+// longer what it has been for long, or the feet hang in the air (report 3.1). A robot that performs
+// a special action may lie with its paws off the ground.
 BodyState DefaultSensorDataProcessor::stateOf(const Vector3d& shortAverage,
-                                              const SensorData& newest) {
+                                              const SensorData& newest, bool onPaws) {
   const auto leans = [&](const Vector3d& acceleration) {
     return acceleration.z() < std::cos(parameters.fallenAngle) * acceleration.norm();
   };
   bool anyPaw = false;
   for (const Switch paw : {Switch::pawFR, Switch::pawFL, Switch::pawHR, Switch::pawHL})
     anyPaw = anyPaw || newest.switches[paw];
-  if (anyPaw) lastOnGround_ = newest.time;
+  if (anyPaw || !onPaws) lastOnGround_ = newest.time;
   if (leans(shortAverage) && leans(longAverage_)) return BodyState::fallen;
   const bool changed = (shortAverage - longAverage_).norm() > parameters.liftedChange;
   const bool hangs = static_cast<double>(newest.time - lastOnGround_) > parameters.offGround;

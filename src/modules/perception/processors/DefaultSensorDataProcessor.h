@@ -50,8 +50,8 @@ class DefaultSensorDataProcessor {
 
   /// Provides the camera matrix of the image, the body's state and the distance sensor's place. The
   /// body's tilt and roll follow from legs and acceleration. The matrix is invalid while the robot
-  /// kicks, gets up or lies; without sensor readings it is that of the last ones. The flags of the
-  /// last image tell how old images are.
+  /// kicks, gets up or falls, but not while it holds still in a special action; without sensor
+  /// readings it is that of the last ones. The flags of the last image tell how old images are.
   void update(const FrameInfo& frame, const SensorDataBuffer& sensors, const Image& image,
               const RobotDimensions& robot, const RobotCalibration& calibration,
               const MotionInfo& motion, const OdometryData& odometry,
@@ -59,7 +59,7 @@ class DefaultSensorDataProcessor {
               PsdPercept& psd);
 
  private:
-  BodyState stateOf(const Vector3d& shortAverage, const SensorData& newest);
+  BodyState stateOf(const Vector3d& shortAverage, const SensorData& newest, bool onPaws);
 
   PostureFusion fusion_;
   ImageDelay delay_;

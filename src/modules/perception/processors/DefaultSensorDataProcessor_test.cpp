@@ -10,7 +10,7 @@
 namespace gt {
 namespace {
 
-/// A standing robot whose head pans at constant speed.
+/// A robot whose head pans at constant speed, and of which one leg may move.
 class DefaultSensorDataProcessorTest : public testing::Test {
  protected:
   void fill(double panSpeed, const Vector3d& acceleration = {0, 0, 9810}, bool paws = true) {
@@ -19,6 +19,7 @@ class DefaultSensorDataProcessorTest : public testing::Test {
       frame.time = {now_.ms - 8 * (SensorDataBuffer::capacity - 1 - i)};
       frame.joints[Joint::headTilt] = -0.3;
       frame.joints[Joint::headPan] = panSpeed * static_cast<double>(frame.time.ms) / 1000;
+      frame.joints[Joint::legFR1] = legSpeed_ * static_cast<double>(frame.time.ms - now_.ms) / 1000;
       frame.acceleration = acceleration;
       for (const Switch s : {Switch::pawFR, Switch::pawFL, Switch::pawHR, Switch::pawHL})
         frame.switches[s] = paws;
@@ -31,6 +32,7 @@ class DefaultSensorDataProcessorTest : public testing::Test {
                       Previous<LandmarksPercept>{landmarks_}, matrix_, body_, psd_);
   }
 
+  double legSpeed_ = 0;  ///< rad/s
   Time now_{200};
   SensorDataBuffer sensors_;
   Image image_;
@@ -110,10 +112,13 @@ TEST_F(DefaultSensorDataProcessorTest, CorrectsTheBodysPostureByGravity) {
       bodyPose({legs.height, legs.tilt + 0.04, 0.03}).rotation.transpose() * Vector3d{0, 0, 9810};
   const Pose3D expected =
       cameraPose(robot_, bodyPose({legs.height, legs.tilt + 0.04, 0.03}), {-0.3, 0, 0});
+  legSpeed_ = 1;
   fill(0, felt);
   motion_.stable = false;
   run();
   EXPECT_GT((matrix_.pose.rotation - expected.rotation).norm(), 0.02);
+  legSpeed_ = 0;
+  fill(0, felt);
   motion_.stable = true;
   run();
   EXPECT_LT((matrix_.pose.rotation - expected.rotation).norm(), 1e-3);
@@ -141,10 +146,35 @@ TEST_F(DefaultSensorDataProcessorTest, StandsStill) {
 }
 
 TEST_F(DefaultSensorDataProcessorTest, DoesNotTrustTheCameraDuringKicks) {
-  fill(0);
   motion_.stable = false;
+  legSpeed_ = 1;
+  fill(0);
   run();
   EXPECT_FALSE(matrix_.valid);
+  legSpeed_ = 0;
+  fill(0, {0, 0, 12000});
+  run();
+  EXPECT_FALSE(matrix_.valid) << "something pushes it";
+}
+
+// A goalie that blocks: its legs are stretched out, it leans, and no paw feels the ground.
+TEST_F(DefaultSensorDataProcessorTest, KnowsFromWhereARobotLooksThatLiesStill) {
+  motion_.stable = false;
+  for (int i = 0; i < 25; ++i, now_ = now_ + 40) {
+    const Vector3d felt = bodyPose({0, 0.1, -0.2}).rotation.transpose() * Vector3d{0, 0, 9810};
+    fill(0, felt, false);
+    for (SensorData& frame : sensors_.frames)
+      for (const Leg leg : {Leg::foreLeft, Leg::hindLeft})
+        frame.joints[legJoint(leg, 2)] = fromDegrees(80);
+    run();
+  }
+  EXPECT_EQ(body_.state, BodyState::standing) << "nobody has lifted it up";
+  ASSERT_TRUE(matrix_.valid);
+  const Vector3d felt = sensors_.newest().acceleration;
+  const BodyPosture lies = restingPosture(robot_, sensors_.newest().joints, felt);
+  const Pose3D expected = cameraPose(robot_, bodyPose(lies), {-0.3, 0, 0});
+  EXPECT_LT((matrix_.pose.rotation - expected.rotation).norm(), 1e-6);
+  EXPECT_LT((matrix_.pose.translation - expected.translation).norm(), 1e-6);
 }
 
 TEST_F(DefaultSensorDataProcessorTest, NoticesAFallOnlyWhenItLasts) {

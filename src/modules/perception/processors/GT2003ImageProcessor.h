@@ -31,10 +31,11 @@ class GT2003ImageProcessor {
   };
   Parameters parameters;
 
-  /// Provides all percepts of an image. Without a valid camera matrix they are as good as that is;
-  /// only the ball's place is judged by its size then. An image without pixels shows nothing.
+  /// Provides all percepts of an image. All of them are places around the robot, so without a valid
+  /// camera matrix there are none. An image without pixels shows nothing.
   void update(const Image& image, const CameraMatrix& matrix, const ColorTable64& colors,
               const FieldDimensions& field, Percepts found, Debug& debug) {
+    if (!matrix.valid) return found.clear(image.time);
     lookForAll(correction_.correct(image, horizonOf(matrix), colors), matrix, colors, field, found,
                debug);
   }

@@ -19,6 +19,19 @@ TEST_F(OnTheGround, AllPerceptsKnowTheirImagesTime) {
     EXPECT_EQ(time, Time{1234});
 }
 
+TEST_F(OnTheGround, NothingHasAPlaceWithoutACameraMatrix) {
+  isLine_ = [](double x, double) { return x > 500 && x < 525; };
+  look(0, -0.4);
+  ASSERT_FALSE(obstacles_.lines.empty());
+  ASSERT_FALSE(lines_.points[EdgeType::line].empty());
+  image_.time = Time{1234};
+  matrix_.valid = false;
+  percepts_.lookWith(processor_, image_, matrix_, colors_, field_);
+  EXPECT_TRUE(obstacles_.lines.empty());
+  EXPECT_TRUE(lines_.points[EdgeType::line].empty());
+  EXPECT_EQ(lines_.time, Time{1234});
+}
+
 TEST_F(OnTheGround, FreeGroundEndsAtWhatStandsOnItButNotAtLines) {
   isLine_ = [](double x, double) { return x > 500 && x < 525; };
   boxes_ = {{{900, -80, 0}, {1000, 80, 200}, ColorClass::gray}};

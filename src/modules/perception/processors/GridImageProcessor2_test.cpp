@@ -21,6 +21,9 @@ TEST(GridImageProcessor2, FindsLinesInAnyLightOnceItKnowsTheCarpet) {
     for (int i = 0; i < 60; ++i) found.lookWith(processor, scene.image, scene.matrix, field);
     EXPECT_TRUE(processor.colors().isGreenKnown());
     EXPECT_GT(found.lines.points[EdgeType::line].size(), 10u) << "in light " << light;
+    scene.matrix.valid = false;
+    found.lookWith(processor, scene.image, scene.matrix, field);
+    EXPECT_TRUE(found.lines.points[EdgeType::line].empty()) << "lines at unknown places";
   }
 }
 

@@ -30,6 +30,8 @@ TEST(GridImageProcessorTSL, FollowsItsThresholds) {
   colors.classes[ColorClass::white].saturation = {0, 255};
   colors.classes[ColorClass::white].luminance = {180, 255};
   EXPECT_GT(seen(), 10u);
+  scene.matrix.valid = false;
+  EXPECT_EQ(seen(), 0u) << "at unknown places";
 }
 
 }  // namespace

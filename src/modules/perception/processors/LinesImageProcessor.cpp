@@ -7,6 +7,7 @@ namespace gt {
 void LinesImageProcessor::update(const Image& image, const CameraMatrix& matrix,
                                  const ColorTable64& colors, const FieldDimensions& field,
                                  Percepts found, Debug& debug) {
+  if (!matrix.valid) return found.clear(image.time);
   const Horizon horizon = horizonOf(matrix);
   const Image& corrected = correction_.correct(image, horizon, colors);
   fetch(corrected);

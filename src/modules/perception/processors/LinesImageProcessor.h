@@ -13,8 +13,8 @@ namespace gt {
 /// nothing else (report 3.2.2), which is all that the self-locator Lines needs.
 class LinesImageProcessor {
  public:
-  /// Provides the points on edges; all other percepts are those of an image that shows nothing. The
-  /// points are as good as the camera matrix, valid or not.
+  /// Provides the points on edges; all other percepts are those of an image that shows nothing.
+  /// Without a valid camera matrix there are no points.
   void update(const Image& image, const CameraMatrix& matrix, const ColorTable64& colors,
               const FieldDimensions& field, Percepts found, Debug& debug);
 

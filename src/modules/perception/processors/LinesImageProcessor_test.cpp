@@ -26,6 +26,9 @@ TEST(LinesImageProcessor, FindsTheSameEdgesAsGT2003AndNothingElse) {
   EXPECT_FALSE(own.ball.seen);
   EXPECT_EQ(own.landmarks.numberOfFlags + own.landmarks.numberOfGoals, 0);
   EXPECT_TRUE(own.obstacles.lines.empty());
+  scene.matrix.valid = false;
+  lines.update(scene.image, scene.matrix, table, {}, own, own.debug);
+  EXPECT_TRUE(own.lines.points[EdgeType::line].empty()) << "lines at unknown places";
 }
 
 TEST(LinesImageProcessor, DrawsItsGridAndTheEdgesOnIt) {

@@ -208,7 +208,7 @@ bool locateFlag(const CameraMatrix& matrix, const FieldDimensions& field, double
                                          : byWidth;
   if (distance > farthestFlag) return false;
   const Vector3d camera = matrix.pose.translation;
-  if (distance > 0 && matrix.valid) {
+  if (distance > 0) {
     // What is not where a flag's edges must be is no flag.
     const double tolerance = 70 + 0.12 * distance;
     const auto isAt = [&](double elevation, double z) {

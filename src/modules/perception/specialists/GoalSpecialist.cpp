@@ -134,7 +134,7 @@ bool locateGoal(const CameraMatrix& matrix, const FieldDimensions& field, GoalPe
   const Vector3d camera = matrix.pose.translation;
   const bool high = !b.topOnBorder && !b.bottomOnBorder;
   const double distance = high ? field.goalHeight / height : 0;
-  if (matrix.valid && high) {
+  if (high) {
     // The goal's lower edge lies on the ground; robots may hide some of it.
     const double bottom = camera.z() + distance * std::tan(b.bottom);
     if (std::abs(bottom) > 80 + 0.12 * distance) return false;
@@ -142,12 +142,12 @@ bool locateGoal(const CameraMatrix& matrix, const FieldDimensions& field, GoalPe
   const double widest = 2.0 * field.yGoal;
   if (distance > 0 && width * distance > 1.6 * widest) return false;
   // It stands on the ground, below the horizon.
-  if (matrix.valid && !b.bottomOnBorder && b.bottom > fromDegrees(1)) return false;
+  if (!b.bottomOnBorder && b.bottom > fromDegrees(1)) return false;
   // Of a goal whose foot is hidden the upper edge gives the distance: flags are narrower.
   constexpr double narrowest = 180;
   const double above = field.goalHeight - camera.z();
-  if (matrix.valid && b.bottomOnBorder && !b.topOnBorder && !b.leftOnBorder && !b.rightOnBorder &&
-      above > 0 && width * above < narrowest * std::tan(b.top))
+  if (b.bottomOnBorder && !b.topOnBorder && !b.leftOnBorder && !b.rightOnBorder && above > 0 &&
+      width * above < narrowest * std::tan(b.top))
     return false;
   const double bearing = (b.left + b.right) / 2;
   // The height is that of all walls of the goal: on average it is seen halfway to its back.
