@@ -40,6 +40,13 @@ class Team {
     }
   }
 
+  /// The same while the network is down.
+  void runApart(int ms, std::array<double, 3> times) {
+    breakDown(true);
+    run(ms, times);
+    breakDown(false);
+  }
+
   std::size_t strikers() const {
     return static_cast<std::size_t>(std::ranges::count_if(players_, [this](const auto& player) {
       return !off_[static_cast<std::size_t>(&player - players_.data())] &&
@@ -72,9 +79,14 @@ class Team {
   std::array<int, 3> ms_{};
 };
 
+/// Player 3, the soonest, has been the striker for a while.
+class SettledTeam : public Team {
+ public:
+  SettledTeam() { run(3000, {6000, 2000, 5000}); }
+};
+
 TEST(RoleNegotiation, TheSoonestBecomesStrikerAndTheMostForwardSupportsOffensively) {
-  Team team;
-  team.run(3000, {6000, 2000, 5000});
+  SettledTeam team;
   EXPECT_EQ(team.role(2), DynamicRole::defensiveSupporter);
   EXPECT_EQ(team.role(3), DynamicRole::striker);
   EXPECT_EQ(team.role(4), DynamicRole::offensiveSupporter);
@@ -85,8 +97,7 @@ TEST(RoleNegotiation, TheSoonestBecomesStrikerAndTheMostForwardSupportsOffensive
 }
 
 TEST(RoleNegotiation, TheStrikerStaysUntilATeammateIsClearlySoonerForAWhile) {
-  Team team;
-  team.run(3000, {6000, 2000, 5000});
+  SettledTeam team;
   team.run(5000, {6000, 2000, 1000});
   EXPECT_EQ(team.role(3), DynamicRole::striker) << "hardly sooner";
   team.run(800, {6000, 5000, 1000});
@@ -96,8 +107,7 @@ TEST(RoleNegotiation, TheStrikerStaysUntilATeammateIsClearlySoonerForAWhile) {
 }
 
 TEST(RoleNegotiation, TheStrikerActsUntilItHearsThatTheNewOneDoes) {
-  Team team;
-  team.run(3000, {6000, 2000, 5000});
+  SettledTeam team;
   const auto before = team.times();
   team.run(3000, {6000, 5000, 1000});
   EXPECT_EQ(team.role(4), DynamicRole::striker);
@@ -107,29 +117,24 @@ TEST(RoleNegotiation, TheStrikerActsUntilItHearsThatTheNewOneDoes) {
 }
 
 TEST(RoleNegotiation, TheStrikerActsOnIfItsMessageIsLost) {
-  Team team;
-  team.run(3000, {6000, 2000, 5000});
+  SettledTeam team;
   team.run(1120, {6000, 5000, 1000});
-  team.breakDown(true);
-  team.run(8000, {6000, 5000, 1000});
+  team.runApart(8000, {6000, 5000, 1000});
   EXPECT_EQ(team.strikers(), 1U);
-  team.breakDown(false);
   team.run(500, {6000, 5000, 1000});
   EXPECT_EQ(team.role(4), DynamicRole::striker);
   EXPECT_EQ(team.strikers(), 1U);
 }
 
 TEST(RoleNegotiation, WhoDoesNotPlayLeavesTheBallAtOnce) {
-  Team team;
-  team.run(3000, {6000, 2000, 5000});
+  SettledTeam team;
   team.run(200, {6000, RoleNegotiation::notAvailable, 5000});
   EXPECT_EQ(team.role(4), DynamicRole::striker);
   EXPECT_EQ(team.strikers(), 1U);
 }
 
 TEST(RoleNegotiation, WhoIsNotHeardAnyMoreIsReplaced) {
-  Team team;
-  team.run(3000, {6000, 2000, 5000});
+  SettledTeam team;
   team.switchOff(3);
   team.run(2500, {6000, 2000, 5000});
   EXPECT_EQ(team.strikers(), 0U);
@@ -138,12 +143,9 @@ TEST(RoleNegotiation, WhoIsNotHeardAnyMoreIsReplaced) {
 }
 
 TEST(RoleNegotiation, ABreakOfTheNetworkMakesNoSecondStriker) {
-  Team team;
-  team.run(3000, {6000, 2000, 5000});
-  team.breakDown(true);
-  team.run(15000, {1000, 9000, 5000});
+  SettledTeam team;
+  team.runApart(15000, {1000, 9000, 5000});
   EXPECT_EQ(team.strikers(), 1U);
-  team.breakDown(false);
   team.run(2000, {1000, 9000, 5000});
   EXPECT_EQ(team.role(2), DynamicRole::striker);
   EXPECT_EQ(team.strikers(), 1U);
