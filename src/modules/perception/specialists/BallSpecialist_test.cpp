@@ -153,8 +153,6 @@ TEST_F(BlurredBall, PointsBeyondTheOppositeEndsOfMostSegmentsAreOutliers) {
   }
 }
 
-// Report 3.2.3: the highest point lies on the plane through the top of a ball on the ground, the
-// lowest one on the ground.
 // During a kick nobody knows from where the camera looks, so a ball in the image is nowhere.
 TEST_F(BallSpecialistTest, WithoutACameraMatrixThereIsNoBall) {
   ball_ = Vector3d{900, 0, field_.ballRadius};
@@ -165,6 +163,8 @@ TEST_F(BallSpecialistTest, WithoutACameraMatrixThereIsNoBall) {
   EXPECT_FALSE(percepts_.ball.seen);
 }
 
+// Report 3.2.3: the highest point lies on the plane through the top of a ball on the ground, the
+// lowest one on the ground.
 TEST_F(BlurredBall, OnePointIsTheHighestOrTheLowest) {
   for (const bool highest : {true, false}) {
     segments_.clear();
