@@ -18,7 +18,8 @@ struct SensorDataProcessor {
 };
 
 /// The task of finding things in an image (report 3.2). Percepts are places around the robot: of an
-/// image without a valid camera matrix, as during kicks and falls, there are none.
+/// image without a valid camera matrix, as during kicks and falls, there is none but a ball whose
+/// size tells where it is (3.2.3).
 struct ImageProcessor {
   using Outputs =
       std::tuple<BallPercept, LandmarksPercept, LinesPercept, PlayersPercept, ObstaclesPercept>;

@@ -44,18 +44,24 @@ void GT2003ImageProcessor::look(const Image& image, const CameraMatrix& matrix,
   const CameraImage picture{image, colors, matrix, horizon, watched ? &paths_ : nullptr};
   grid_.build(image.info, horizon, spacing(matrix, field));
   scan(picture, grid_, field, scanner_, edgeScanner_);
+  if (!matrix.valid) found.clear(image.time);
   findBall(picture, scanner_.balls);
-  found.landmarks.cameraOffset = matrix.pose.translation;
-  flagSpecialist_.find(picture, scanner_.flags, field, found.landmarks);
-  goalSpecialist_.find(picture, scanner_.goals, field, found.landmarks);
-  edgeScanner_.finish(found.lines);
-  playerSpecialist_.find(picture, scanner_.players, found.players);
-  findFreeGround(picture, found.obstacles);
+  if (matrix.valid) findPlaces(picture, field, found);
   found.setTime(image.time);
   drawScan(picture, debug);
   drawSpecialists(debug);
   drawPercepts(picture, found, debug);
   drawGround(found, debug);
+}
+
+void GT2003ImageProcessor::findPlaces(const CameraImage& picture, const FieldDimensions& field,
+                                      const Percepts& found) {
+  found.landmarks.cameraOffset = picture.matrix.pose.translation;
+  flagSpecialist_.find(picture, scanner_.flags, field, found.landmarks);
+  goalSpecialist_.find(picture, scanner_.goals, field, found.landmarks);
+  edgeScanner_.finish(found.lines);
+  playerSpecialist_.find(picture, scanner_.players, found.players);
+  findFreeGround(picture, found.obstacles);
 }
 
 void GT2003ImageProcessor::findFreeGround(const CameraImage& picture,

@@ -31,11 +31,11 @@ class GT2003ImageProcessor {
   };
   Parameters parameters;
 
-  /// Provides all percepts of an image. All of them are places around the robot, so without a valid
-  /// camera matrix there are none. An image without pixels shows nothing.
+  /// Provides all percepts of an image. They are places around the robot, so without a valid camera
+  /// matrix there is only the ball, whose size tells its distance. An image without pixels shows
+  /// nothing.
   void update(const Image& image, const CameraMatrix& matrix, const ColorTable64& colors,
               const FieldDimensions& field, Percepts found, Debug& debug) {
-    if (!matrix.valid) return found.clear(image.time);
     lookForAll(correction_.correct(image, horizonOf(matrix), colors), matrix, colors, field, found,
                debug);
   }
@@ -59,6 +59,8 @@ class GT2003ImageProcessor {
 
  private:
   GridSpacing spacing(const CameraMatrix& matrix, const FieldDimensions& field) const;
+  /// Finds all but the ball.
+  void findPlaces(const CameraImage& picture, const FieldDimensions& field, const Percepts& found);
   void findFreeGround(const CameraImage& picture, ObstaclesPercept& percept) const;
   void drawScan(const CameraImage& picture, Debug& debug) const;
   void drawSpecialists(Debug& debug) const;

@@ -19,7 +19,7 @@ TEST_F(OnTheGround, AllPerceptsKnowTheirImagesTime) {
     EXPECT_EQ(time, Time{1234});
 }
 
-TEST_F(OnTheGround, NothingHasAPlaceWithoutACameraMatrix) {
+TEST_F(OnTheGround, OnlyABallHasAPlaceWithoutACameraMatrix) {
   isLine_ = [](double x, double) { return x > 500 && x < 525; };
   look(0, -0.4);
   ASSERT_FALSE(obstacles_.lines.empty());

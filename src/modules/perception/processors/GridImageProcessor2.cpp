@@ -22,7 +22,6 @@ Vector2d within(const CameraImage& picture, const ConditionalBoundary& b, double
 
 void GridImageProcessor2::update(const Image& image, const CameraMatrix& matrix,
                                  const FieldDimensions& field, Percepts found, Debug& debug) {
-  if (!matrix.valid) return found.clear(image.time);
   const Horizon horizon = horizonOf(matrix);
   const Image& corrected = correction_.correct(image, horizon, colors_.table());
   colors_.observe(corrected, horizon);

@@ -10,7 +10,6 @@ const DebugKey drawBall{"ImageProcessor/blackWhiteBall"};
 void GridImageProcessor3::update(const Image& image, const CameraMatrix& matrix,
                                  const ColorTable64& colors, const FieldDimensions& field,
                                  Percepts found, Random& random, Debug& debug) {
-  if (!matrix.valid) return found.clear(image.time);
   const auto findBall = [&](const CameraImage& picture, std::span<const BallSegment>) {
     ballSpecialist_.find(picture, field.ballRadius, random, found.ball);
     if (!found.ball.seen) ballSpotSpecialist_.find(picture, field.ballRadius, found.ball);

@@ -43,9 +43,6 @@ TEST_F(GridImageProcessor3Test, FindsABlackAndWhiteBallAndTheLinesThatGT2003Find
   EXPECT_FALSE(all.ball.seen);
   for (const EdgeType type : {EdgeType::line, EdgeType::border})
     EXPECT_EQ(found_.lines.points[type], all.lines.points[type]);
-  scene_.matrix.valid = false;
-  look(blackWhiteTable());
-  EXPECT_FALSE(found_.ball.seen) << "at an unknown place";
 }
 
 TEST_F(GridImageProcessor3Test, AnOrangeBallIsNone) {

@@ -5,7 +5,6 @@ namespace gt {
 void GridImageProcessorTSL::update(const Image& image, const CameraMatrix& matrix,
                                    const TslColors& colors, const FieldDimensions& field,
                                    Percepts found, Debug& debug) {
-  if (!matrix.valid) return found.clear(image.time);
   if (!(colors == known_)) {
     known_ = colors;
     table_ = colors.table();

@@ -232,8 +232,8 @@ bool BallSpecialist::look(const CameraImage& picture, std::span<const BallSegmen
   BallCone cone;
   if (!locate(picture, segments, cluster, ballRadius, cone)) return false;
   if (!describeBall(picture, cone, ballRadius, percept)) return false;
-  percept.seen = isOnGround(picture, percept, cone.axis, ballRadius) && isOnGreen(percept) &&
-                 isOrange(picture, percept);
+  percept.seen = isOnGround(picture, percept, cone.axis, ballRadius) &&
+                 isOnGreen(picture, percept) && isOrange(picture, percept);
   return percept.seen;
 }
 
@@ -319,9 +319,10 @@ bool BallSpecialist::pointCone(const CameraImage& picture, double ballRadius,
 }
 
 // What looks like a ball far away may be anything small and orange, but a ball lies on the field.
-bool BallSpecialist::isOnGreen(const BallPercept& percept) const {
+// Without a camera matrix, as during kicks, anything may: nothing else says that a shirt is none.
+bool BallSpecialist::isOnGreen(const CameraImage& picture, const BallPercept& percept) const {
   constexpr double small = 4;  // Pixels.
-  if (percept.radiusInImage > small) return true;
+  if (picture.matrix.valid && percept.radiusInImage > small) return true;
   const auto green = std::ranges::count(points_, ColorClass::green, &BoundaryPoint::beyond);
   return 8 * static_cast<std::size_t>(green) >= points_.size();
 }

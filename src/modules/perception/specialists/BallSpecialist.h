@@ -42,7 +42,7 @@ class BallSpecialist {
   bool circleCone(const CameraImage& picture, BallCone& cone) const;
   bool pointCone(const CameraImage& picture, double ballRadius, BallCone& cone) const;
   bool fitCone(const CameraImage& picture, BallCone& cone) const;
-  bool isOnGreen(const BallPercept& percept) const;
+  bool isOnGreen(const CameraImage& picture, const BallPercept& percept) const;
   bool isOrange(const CameraImage& picture, const BallPercept& percept) const;
 
   std::vector<Cluster> clusters_;

@@ -64,6 +64,7 @@ void BallSpotSpecialist::find(const CameraImage& picture, double ballRadius,
   constexpr double leastHeight = 20;  // mm
   constexpr double radiusError = 1;   // Pixels.
   percept = {};
+  if (!picture.matrix.valid) return;
   const double height = picture.matrix.pose.translation.z() - ballRadius;
   const Spot spot = fitted(picture, best(picture, ballRadius / std::max(height, leastHeight)));
   if (spot.score <= 0) return;

@@ -45,7 +45,7 @@ bool describeBall(const CameraImage& picture, const BallCone& cone, double ballR
   if (axis.z() < -flattest && camera.z() > ballRadius)
     percept.distanceByProjection = (ballRadius - camera.z()) / axis.z();
   if (percept.distanceByProjection > farthest) percept.distanceByProjection = 0;
-  const bool projected = percept.distanceByProjection > 0;
+  const bool projected = picture.matrix.valid && percept.distanceByProjection > 0;
   const double distance = !projected ? percept.distanceBySize
                           : percept.distanceBySize == 0
                               ? percept.distanceByProjection
@@ -65,6 +65,7 @@ bool describeBall(const CameraImage& picture, const BallCone& cone, double ballR
 // at the distance that follows from its size, its center is at its radius above the ground.
 bool isOnGround(const CameraImage& picture, const BallPercept& percept, const Vector3d& axis,
                 double ballRadius) {
+  if (!picture.matrix.valid) return true;
   if (elevation(axis) > fromDegrees(1)) return false;
   if (percept.distanceBySize == 0) return true;
   const double height = picture.matrix.pose.translation.z() + axis.z() * percept.distanceBySize;

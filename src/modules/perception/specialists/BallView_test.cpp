@@ -41,6 +41,15 @@ TEST_F(BallViewTest, DescribesABallOnTheGroundBySizeAndByProjection) {
   EXPECT_TRUE(isOnGround(picture_, percept_, axisTo(ball), radius));
 }
 
+TEST_F(BallViewTest, TheSizeDecidesWhereTheCameraCannotBeTrusted) {
+  const Vector3d ball{700, -60, radius};
+  matrix_.valid = false;
+  ASSERT_TRUE(describeBall(picture_, coneOf(ball, 900), radius, percept_));
+  EXPECT_NEAR((percept_.offset - matrix_.pose.translation.head<2>()).norm(),
+              900 * axisTo(ball).head<2>().norm(), 1e-6);
+  EXPECT_TRUE(isOnGround(picture_, percept_, Vector3d::UnitX(), radius)) << "nobody can say";
+}
+
 TEST_F(BallViewTest, TheDistanceIsTheMeanOfBothByHowExactTheyAre) {
   const Vector3d ball{700, -60, radius};
   const double projected = (ball - matrix_.pose.translation).norm(), seen = 0.9 * projected;

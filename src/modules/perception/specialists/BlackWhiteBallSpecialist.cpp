@@ -155,7 +155,8 @@ void BlackWhiteBallSpecialist::vote(const CameraImage& picture, double ballRadiu
       // The edge is at most a radius above or below the center.
       const double least = (below - radius_[i]) * grows / mostWrong;
       const double most = (below + radius_[i]) * grows * mostWrong + 2;
-      if (radius_[i] > least && radius_[i] < most) voteFor(edge, i, radius_[i]);
+      if (!picture.matrix.valid || (radius_[i] > least && radius_[i] < most))
+        voteFor(edge, i, radius_[i]);
     }
   }
 }
