@@ -86,11 +86,8 @@ void DynamicWorld::prepareModel() {
     motors_.push_back(std::move(motors));
   }
   for (std::size_t i = 0; i < motors_.size(); ++i)
-    for (std::size_t j = 0; j < enumCount<Joint>; ++j) {
-      const int dof = jointDof(i, j);
-      model.dof_damping[dof] = motors_[i].servos[j].gains().d;
-      model.dof_armature[dof] = gearInertia;
-    }
+    for (std::size_t j = 0; j < enumCount<Joint>; ++j)
+      model.dof_armature[jointDof(i, j)] = gearInertia;
   setFriction();
 }
 
@@ -206,8 +203,7 @@ void DynamicWorld::step(std::span<const RobotCommand> commands) {
     for (std::size_t j = 0; j < enumCount<Joint>; ++j) {
       Servo& servo = motors_[i].servos[j];
       servo.setTarget(commands[i].joints.values[j]);
-      if (servo.setGains(commands[i].gains.gains.values[j]))
-        model_->dof_damping[jointDof(i, j)] = servo.gains().d;
+      servo.setGains(commands[i].gains.gains.values[j]);
     }
   holdRobots();
   putByHand();
@@ -239,8 +235,11 @@ void DynamicWorld::push(std::size_t robot, const Vector3d& force, const Vector3d
 void DynamicWorld::drive() {
   for (std::size_t i = 0; i < motors_.size(); ++i)
     for (std::size_t j = 0; j < enumCount<Joint>; ++j) {
+      const int dof = jointDof(i, j);
       const double angle = data_->qpos[parts_[i].jointAddress.values[j]];
-      data_->qfrc_applied[jointDof(i, j)] = motors_[i].servos[j].torque(angle, stepSeconds);
+      const Drive drive = motors_[i].servos[j].drive(angle, data_->qvel[dof], stepSeconds);
+      data_->qfrc_applied[dof] = drive.torque;
+      model_->dof_damping[dof] = drive.damping;
     }
 }
 

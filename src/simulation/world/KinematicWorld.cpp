@@ -6,6 +6,7 @@
 
 #include "representations/infrastructure/RobotDimensions.h"
 #include "representations/infrastructure/RobotFootprint.h"
+#include "simulation/world/Servo.h"
 #include "simulation/world/Stance.h"
 #include "streams/Config.h"
 
@@ -15,8 +16,21 @@ namespace {
 constexpr double footprintRadius = RobotFootprint::radius;
 constexpr auto footprintX = RobotFootprint::middles;
 
-/// How fast a servo closes in on its target below its top speed.
-constexpr double servoTime = 0.012;
+/// How joints move whose servos nothing loads.
+struct FreeMotion {
+  double share;    ///< of the way to its target, in a tick
+  double fastest;  ///< rad, in a tick
+};
+
+EnumArray<Joint, FreeMotion> freeMotions() {
+  EnumArray<Joint, FreeMotion> motions;
+  for (std::size_t j = 0; j < enumCount<Joint>; ++j) {
+    const auto joint = static_cast<Joint>(j);
+    motions.values[j] = {1 - std::exp(-tickSeconds / Servo{joint}.lag()),
+                         motorOf(joint).noLoadSpeed * tickSeconds};
+  }
+  return motions;
+}
 
 /// Points of the trunk that rest on the ground when the legs do not reach it, and the radius of a
 /// knee.
@@ -116,13 +130,13 @@ void KinematicWorld::step(std::span<const RobotCommand> commands) {
 }
 
 void KinematicWorld::moveJoints(RobotBody& robot, const JointAngles& targets) const {
-  const double share = 1 - std::exp(-tickSeconds / servoTime);
+  static const EnumArray<Joint, FreeMotion> free = freeMotions();
   for (std::size_t j = 0; j < enumCount<Joint>; ++j) {
-    const JointLimits limits = limitsOf(static_cast<Joint>(j));
     if (!std::isfinite(targets.values[j])) continue;
-    const double target = std::clamp(targets.values[j], limits.low, limits.high);
-    const double fastest = limits.speed * tickSeconds;
+    const JointLimits limits = limitsOf(static_cast<Joint>(j));
+    const auto [share, fastest] = free.values[j];
     double& angle = robot.joints.values[j];
+    const double target = std::clamp(targets.values[j], limits.low, limits.high);
     angle += std::clamp(share * (target - angle), -fastest, fastest);
   }
 }

@@ -3,22 +3,34 @@
 
 namespace gt {
 
-/// What a servo motor does with the error of its angle.
+/// What a joint's motor can: its torque falls with its speed, as that of each DC motor does.
+struct Motor {
+  double stallTorque;  ///< Nm
+  double noLoadSpeed;  ///< rad/s
+
+  /// By which its torque falls with its speed (Nm s/rad), however strong the battery is.
+  double damping() const { return stallTorque / noLoadSpeed; }
+};
+Motor motorOf(Joint joint);
+
+/// What a servo does with the error of its angle.
 struct ServoGains {
-  double p;       ///< Nm/rad
-  double i;       ///< Nm/(rad s)
-  double d;       ///< Nm s/rad
-  double torque;  ///< Nm, the largest
+  double p;  ///< Nm/rad
+  double i;  ///< Nm/(rad s)
+  double d;  ///< Nm s/rad
 };
 
-/// The gains of a joint's servo by the words P, I, D that it takes. The unit of those words is not
-/// known: P is scaled so that with Sony's words a leg gives way by two to three degrees under a
-/// standing robot, and the torques suffice to get up (ESTIMATE).
-ServoGains gainsOf(Joint joint, const PidGains& words);
+/// The gains of a joint's servo by the words P, I, D that it takes, whose units are not known.
+ServoGains gainsOf(const PidGains& words);
 
-/// The servo motor of a joint: turns towards its target, not faster than the joint can
-/// (`limitsOf`), with limited torque. The damping by `ServoGains::d` is left to the physics engine,
-/// which integrates it implicitly.
+/// What a servo does with its joint: a torque, and damping, which is left to the physics engine,
+/// since that integrates it implicitly.
+struct Drive {
+  double torque;   ///< Nm
+  double damping;  ///< Nm s/rad
+};
+
+/// The servo of a joint: its motor pulls towards the target as the gains say, as far as it can.
 class Servo {
  public:
   explicit Servo(Joint joint);
@@ -27,28 +39,31 @@ class Servo {
   void rest(double angle);
   /// The angle to go to (rad); limited to what the joint can do, ignored if it is no number.
   void setTarget(double angle);
-  /// The torque (Nm) for the next `seconds`, at the joint's present angle (rad).
-  double torque(double angle, double seconds);
+  /// What it does in the next `seconds`, at the joint's present angle (rad) and speed (rad/s).
+  Drive drive(double angle, double speed, double seconds);
 
   /// Turns without load for some seconds; returns the new angle.
   double turnFreely(double seconds);
-  bool atTarget() const { return reference_ == target_; }
+  bool atTarget() const { return free_ == target_; }
+
+  /// The time constant (s) with which it follows its target without load, below its greatest speed.
+  double lag() const { return (motor_.damping() + gains_.d) / gains_.p; }
 
   const ServoGains& gains() const { return gains_; }
-  /// Works with other gains from now on; returns whether these are others than before.
-  bool setGains(const PidGains& words);
+  /// Works with other gains from now on.
+  void setGains(const PidGains& words);
   /// A factor on torque and P gain, such as of a weak battery.
   void setStrength(double factor);
 
  private:
-  Joint joint_;
   PidGains words_;
   ServoGains gains_;
+  Motor motor_;
   double strength_ = 1;
-  double low_, high_, speed_;
+  double low_, high_;
   double target_ = 0;
-  double reference_ = 0;  ///< Runs to the target at the joint's speed.
-  double integral_ = 0;   ///< Nm
+  double free_ = 0;      ///< Runs to the target with the motor's speed.
+  double integral_ = 0;  ///< Nm
 };
 
 }  // namespace gt

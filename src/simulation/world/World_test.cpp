@@ -4,6 +4,7 @@
 
 #include "representations/infrastructure/RobotFootprint.h"
 #include "representations/motion/KickTable.h"
+#include "simulation/world/Servo.h"
 #include "simulation/world/Stance.h"
 #include "streams/Config.h"
 #include "support/TestScenes.h"
@@ -48,7 +49,8 @@ TEST(World, JointsFollowWithinTheirSpeed) {
   command.joints[Joint::headPan] = 1.5;
   run(*world, command, 25);  // 200 ms
   const JointLimits limits = limitsOf(Joint::headPan);
-  EXPECT_NEAR(world->robot(0).joints[Joint::headPan], 0.2 * limits.speed, 1e-9);
+  EXPECT_NEAR(world->robot(0).joints[Joint::headPan], 0.2 * motorOf(Joint::headPan).noLoadSpeed,
+              1e-9);
   run(*world, command, 125);
   EXPECT_NEAR(world->robot(0).joints[Joint::headPan], 1.5, 1e-6);
   command.joints[Joint::headPan] = 10;

@@ -135,9 +135,10 @@ void DefaultMotionControl::protect(const JointAngles& target) {
   const auto slow = [&](Joint joint, double speed) {
     angles_[joint] = approach(before[joint], target[joint], speed);
   };
-  slow(Joint::headTilt, parameters.headTiltSpeed);
-  slow(Joint::headPan, parameters.headPanSpeed);
-  slow(Joint::headRoll, parameters.headRollSpeed);
+  const bool acts = mover_ == Mover::specialActions;
+  slow(Joint::headTilt, acts ? parameters.actionSpeed : parameters.headTiltSpeed);
+  slow(Joint::headPan, acts ? parameters.actionSpeed : parameters.headPanSpeed);
+  slow(Joint::headRoll, acts ? parameters.actionSpeed : parameters.headRollSpeed);
   if (!changing_) return;
   changing_ = false;
   for (const auto leg : legs)

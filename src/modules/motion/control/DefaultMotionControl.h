@@ -14,6 +14,7 @@ class DefaultMotionControl {
  public:
   struct Parameters {
     double headTiltSpeed = 2.1, headPanSpeed = 3.0, headRollSpeed = 3.0;
+    double actionSpeed = 6;
     double changeSpeed = 2.5;
 
     static constexpr auto fields() {
@@ -24,6 +25,9 @@ class DefaultMotionControl {
           field("headPanSpeed", &P::headPanSpeed, "rad/s", "greatest speed of the head's pan",
                 {0.1, 10}),
           field("headRollSpeed", &P::headRollSpeed, "rad/s", "greatest speed of the head's roll",
+                {0.1, 10}),
+          field("actionSpeed", &P::actionSpeed, "rad/s",
+                "greatest speed of the head's joints in special actions, such as kicks by the head",
                 {0.1, 10}),
           field("changeSpeed", &P::changeSpeed, "rad/s",
                 "greatest speed of a leg until a new motion's angles are reached", {0.1, 10})};

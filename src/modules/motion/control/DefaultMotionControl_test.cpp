@@ -115,11 +115,43 @@ TEST(DefaultMotionControl, JointsStayWithinLimitsWhateverIsRequested) {
         ASSERT_TRUE(angle >= limits.low && angle <= limits.high) << enumName(static_cast<Joint>(j));
         // Legs are hurried by walks and special actions, and follow as fast as their servos can.
         if (j < 3) {
-          ASSERT_LE(std::abs(angle - before.values[j]), 1.01 * limits.speed * 0.008)
+          const auto& most = motion.motionControl.parameters;
+          const double speed = motion.info.executed.type == MotionType::specialAction
+                                   ? most.actionSpeed
+                               : j == 0 ? most.headTiltSpeed
+                                        : most.headPanSpeed;
+          ASSERT_LE(std::abs(angle - before.values[j]), 1.01 * speed * 0.008)
               << enumName(static_cast<Joint>(j)) << " in frame " << i;
         }
       }
     }
+  }
+}
+
+TEST(DefaultMotionControl, ActionsTurnTheHeadFasterThanItLooksAround) {
+  for (const int frames : {32, 10}) {
+    MotionHarness motion;
+    motion.steps(150);
+    constexpr double turn = 1.2;  // rad
+    const int shakeHead = motion.net.find("shakeHead");
+    const auto first = std::ranges::find_if(motion.net.nodes, [&](const MotionNet::Node& node) {
+      return node.kind == MotionNodeKind::data && node.motion == shakeHead;
+    });
+    ASSERT_NE(first, motion.net.nodes.end());
+    const auto pan = static_cast<std::size_t>(Joint::headPan);
+    first->angles[pan] = turn;
+    first->dontCare[pan] = false;
+    first->interpolate = true;
+    first->frames = frames;
+    motion.perform("shakeHead");
+    double fastest = 0;  // rad/s
+    for (int i = 0; i < 10 + frames; ++i) {
+      const double before = motion.joints.angles[Joint::headPan];
+      motion.step();
+      fastest = std::max(fastest, (motion.joints.angles[Joint::headPan] - before) / 0.008);
+    }
+    const double limit = motion.motionControl.parameters.actionSpeed;
+    EXPECT_NEAR(fastest, std::min(turn / (0.008 * frames), limit), 0.01) << frames;
   }
 }
 
@@ -135,7 +167,7 @@ TEST(DefaultMotionControl, TheHeadIsFreeUnlessAnActionNeedsIt) {
   motion.request = {};
   motion.steps(300);
   motion.perform("swingLeft");
-  motion.steps(110);
+  motion.steps(125);
   ASSERT_TRUE(motion.performs("swingLeft"));
   EXPECT_LT(motion.joints.angles[Joint::headPan], -0.4);
 }

@@ -75,7 +75,7 @@ TEST(Kicks, LastShortlyAndEndInTheStand) {
   for (const auto& played : kicks()) {
     const auto angles = performed(played.name);
     const bool rollsOver = played.name == "bicycleKick";
-    EXPECT_LT(angles.size() * 8, rollsOver ? 5200 : 1700) << played.name;
+    EXPECT_LT(angles.size() * 8, rollsOver ? 5200 : 1850) << played.name;
     EXPECT_NEAR(static_cast<double>(angles.size()) * 0.008, played.kick.seconds, 0.1)
         << played.name;
     for (std::size_t j = static_cast<std::size_t>(Joint::legFR1); j < 18; ++j)

@@ -32,22 +32,6 @@ void perform(const std::string& name, const Look& look) {
   EXPECT_EQ(motion.info.executed.type, MotionType::stand) << name;
 }
 
-TEST(Shows, AskForAnglesThatServosReachInTime) {
-  for (const std::string& name : shows()) {
-    std::array<double, enumCount<Joint>> fastest{};
-    perform(name, [&](const MotionHarness& motion, const JointAngles& before) {
-      for (std::size_t i = 0; i < fastest.size(); ++i) {
-        if (motion.special.dontCare.values[i]) continue;
-        const double speed = (motion.special.joints.angles.values[i] - before.values[i]) / 0.008;
-        fastest[i] = std::max(fastest[i], std::abs(speed));
-      }
-    });
-    for (std::size_t i = 0; i < fastest.size(); ++i)
-      EXPECT_LE(fastest[i], 1.001 * limitsOf(static_cast<Joint>(i)).speed)
-          << name << ": " << enumName(static_cast<Joint>(i));
-  }
-}
-
 TEST(Shows, KeepTheLegsClearOfTheBody) {
   for (const std::string& name : shows())
     perform(name, [&](const MotionHarness& motion, const JointAngles&) {
