@@ -33,20 +33,13 @@ void PIDSmoothedBallLocator::update(const BallPercept& percept, const OdometryDa
     }
   }
   model = ball_.model(frame.time, parameters.longestGap);
-  if (!rolls_) {
-    model.position = resting_;
-    model.speed = Vector2d::Zero();
-  }
   draw(model, debug);
 }
 
-// A ball at rest that is not seen stays where it is.
 void PIDSmoothedBallLocator::predict(const Pose2D& step, double seconds, bool seen) {
   ball_.move(step);
-  for (Vector2d* place : {&doubted_, &resting_, &recent_}) *place = relative(step, *place);
-  if (seen || rolls_) ball_.position += ball_.speed * seconds;
-  if (!seen && rolls_)
-    for (Vector2d* mean : {&resting_, &recent_}) *mean += ball_.speed * seconds;
+  doubted_ = relative(step, doubted_);
+  ball_.position += ball_.speed * seconds;
   ball_.speed *= std::exp(-(seen ? parameters.slowDown : parameters.slowDownUnseen) * seconds);
 }
 
@@ -75,14 +68,6 @@ void PIDSmoothedBallLocator::follow(const Vector2d& offset, double seconds) {
   const Vector2d away = offset / distance, difference = offset - ball_.position;
   const Vector2d along = away * away.dot(difference), across = difference - along;
   ball_.position += parameters.proportional * (across + trust * along);
-  ++percepts_;
-  const auto average = [&](Vector2d& mean, double gain) {
-    const Vector2d off = offset - mean, offAlong = away * away.dot(off);
-    mean += std::max(gain, 1.0 / percepts_) * (off + (trust - 1) * offAlong);
-  };
-  average(resting_, parameters.restingGain);
-  average(recent_, parameters.recentGain);
-  rolls_ = rolls();
   if (seconds <= 0) return;
   ball_.speed += parameters.integral / seconds * (across + trust * trust * along);
   const double length = ball_.speed.norm();
@@ -91,22 +76,8 @@ void PIDSmoothedBallLocator::follow(const Vector2d& offset, double seconds) {
 
 void PIDSmoothedBallLocator::restart(const Vector2d& offset) {
   outliers_ = 0;
-  ball_.position = resting_ = recent_ = offset;
+  ball_.position = offset;
   ball_.speed = Vector2d::Zero();
-  percepts_ = 1;
-  rolls_ = false;
-}
-
-// Both means are those of one place while the ball rests; the one of all percepts falls behind when
-// it rolls.
-bool PIDSmoothedBallLocator::rolls() const {
-  const double distance = std::max(recent_.norm(), 1.0);
-  const Vector2d away = recent_ / distance, moved = recent_ - resting_;
-  const double across = parameters.nearNoise + parameters.acrossShare * distance;
-  const double along = across + parameters.alongTilt * distance * distance;
-  const Vector2d deviations{away.dot(moved) / along,
-                            (away.x() * moved.y() - away.y() * moved.x()) / across};
-  return deviations.norm() > parameters.rollsBeyond;
 }
 
 }  // namespace gt

@@ -10,8 +10,6 @@ namespace gt {
 
 /// Solution *PIDSmoothed* of BallLocator: smooths the ball percepts by a controller that follows
 /// them: its proportional part moves the position, its integral part is the speed (report 3.4.1).
-/// Unlike there, a ball is believed at rest, where its percepts are on average, as long as the
-/// recent percepts are not farther from that place than their noise explains.
 class PIDSmoothedBallLocator {
  public:
   struct Parameters {
@@ -27,12 +25,6 @@ class PIDSmoothedBallLocator {
     double slowDownUnseen = 0.8;
     double fastestBall = 3000;
     std::int64_t longestGap = 240;
-    double restingGain = 0.1;
-    double recentGain = 0.6;
-    double nearNoise = 8;
-    double acrossShare = 0.008;
-    double alongTilt = 1e-5;
-    double rollsBeyond = 1.5;
 
     static constexpr auto fields() {
       using P = Parameters;
@@ -65,29 +57,14 @@ class PIDSmoothedBallLocator {
                 {1, 1e5}),
           field("longestGap", &P::longestGap, "ms",
                 "longest time without the ball that does not end the consecutive time seen",
-                {0, 10000}),
-          field("restingGain", &P::restingGain, "",
-                "weight of a percept in the mean place of a ball at rest", {0.001, 1}),
-          field("recentGain", &P::recentGain, "",
-                "weight of a percept in the mean of the recent ones", {0.001, 1}),
-          field("nearNoise", &P::nearNoise, "mm",
-                "standard deviation of the place of a percept at distance 0", {0.1, 1000}),
-          field("acrossShare", &P::acrossShare, "",
-                "what is added to that with the distance, as a share of it", {0, 1}),
-          field("alongTilt", &P::alongTilt, "1/mm",
-                "what is added along the line of sight with the distance's square", {0, 0.01}),
-          field("rollsBeyond", &P::rollsBeyond, "",
-                "a ball rolls if the recent percepts are on average so many standard deviations "
-                "away from where it rested",
-                {0, 100})};
+                {0, 10000})};
     }
   };
   Parameters parameters;
 
   /// Provides the ball relative to the robot. Without a new percept it moves with the odometry and
-  /// by its speed, which is 0 as long as it is believed at rest; a ball never seen has the time
-  /// never(). The percept's own place counts, so an invalid camera matrix is the ImageProcessor's
-  /// matter.
+  /// by its speed; a ball never seen has the time never(). The percept's own place counts, so an
+  /// invalid camera matrix is the ImageProcessor's matter.
   void update(const BallPercept& percept, const OdometryData& odometry, const FrameInfo& frame,
               BallModel& model, Debug& debug);
 
@@ -97,13 +74,8 @@ class PIDSmoothedBallLocator {
   void doubt(const BallPercept& percept);
   void follow(const Vector2d& offset, double seconds);
   void restart(const Vector2d& offset);
-  bool rolls() const;
 
-  BallEstimate ball_;  ///< as if it always rolled
-  /// Means of all percepts and of the recent ones, mm.
-  Vector2d resting_ = Vector2d::Zero(), recent_ = Vector2d::Zero();
-  int percepts_ = 0;  ///< in the means
-  bool rolls_ = false;
+  BallEstimate ball_;
   Vector2d doubted_ = Vector2d::Zero();  ///< mm, the last percept that was not believed.
   int outliers_ = 0;
   Time lastPercept_ = never(), lastUpdate_ = never(), lastDoubted_ = never();

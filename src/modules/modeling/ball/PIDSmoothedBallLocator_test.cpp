@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "base/Random.h"
-#include "base/Statistics.h"
 #include "modules/modeling/testing/BallScene.h"
 
 namespace gt {
@@ -67,39 +66,6 @@ TEST(PIDSmoothedBallLocator, SmoothsNoise) {
   }
   EXPECT_LT(smoothed, 0.7 * raw);
   EXPECT_LT(speed / n, 160);  // From image to image the noise alone makes 1200 mm/s.
-}
-
-// From image to image this noise makes several hundred mm/s.
-TEST(PIDSmoothedBallLocator, BelievesAtRestABallThatRests) {
-  RunningStatistics speed, error, raw;
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    Random random{seed};
-    Scene scene;
-    scene.ball = {900, 400};
-    for (int i = 0; i < 300; ++i) {
-      const Vector2d noise{20 * random.gaussian(), 12 * random.gaussian()};
-      scene.step(i % 100 < 50 ? standing : walking, noise, i % 20 < 16);
-      if (i < 10) continue;
-      speed.add(scene.model.speed.norm());
-      error.add(scene.error());
-      raw.add(noise.norm());
-    }
-  }
-  EXPECT_LT(speed.mean(), 15);
-  EXPECT_LT(error.mean(), 0.5 * raw.mean());
-}
-
-TEST(PIDSmoothedBallLocator, ABallThatStopsIsSoonAtRest) {
-  Scene scene;
-  scene.deceleration = 250;
-  scene.ball = {1000, 300};
-  for (int i = 0; i < 25; ++i) scene.step(standing);
-  scene.ballSpeed = {-300, -100};
-  for (int i = 0; i < 20; ++i) scene.step(standing);
-  EXPECT_GT(scene.model.speed.norm(), 50) << "it still rolls";
-  for (int i = 0; i < 35; ++i) scene.step(standing);
-  EXPECT_EQ(scene.model.speed, Vector2d(0, 0)) << "0.9 s after it came to rest";
-  EXPECT_LT(scene.error(), 20);
 }
 
 TEST(PIDSmoothedBallLocator, NoticesAKick) {
