@@ -4,7 +4,6 @@
 
 #include "ChangedRoot.h"
 #include "Experiments.h"
-#include "PlayWatch.h"
 #include "Profiles.h"
 #include "Teams.h"
 
@@ -20,99 +19,21 @@ Result<std::unique_ptr<Match>> matchOnScene(const Job& job, const DataRoot& root
   return Match::make(*options);
 }
 
-/// What a watch sees of a match now.
-PlayMoment momentOf(Match& match) {
-  const Simulation& simulation = match.simulation();
-  PlayMoment moment{match.time(), simulation.world().ball(0), {}};
-  for (std::size_t i = 0; i < simulation.world().activeRobots(); ++i) {
-    PlayMoment::Robot& robot = moment.robots.emplace_back();
-    robot.team = simulation.players()[i].teamColor;
-    robot.position = simulation.world().robot(i).pose.translation;
-    robot.plays = simulation.input(i).game.penalty == Penalty::none;
-    robot.kicks = match.statistics().kicks(i);
-  }
-  for (std::size_t i = 0; i < match.robots().size(); ++i) {
-    const Robot& program = match.robots()[i]->robot();
-    PlayMoment::Robot& robot = moment.robots[match.robotIndex(i)];
-    if (const auto* behavior = program.provided<BehaviorTeamMessage>()) robot.role = behavior->role;
-    if (const BallModel* ball = match.robots()[i]->ball())
-      robot.ballUnseen =
-          static_cast<double>(simulation.image(match.robotIndex(i)).time - ball->lastSeen);
-  }
-  return moment;
-}
-
-/// Plays to the end.
-void watch(Match& match, PlayWatch& play) {
-  std::size_t seen = 0;
-  while (!match.finished()) {
-    match.step();
-    const Referee& referee = match.simulation().referee();
-    for (; seen < referee.events().size(); ++seen) {
-      const GameEvent& event = referee.events()[seen];
-      if (event.type == GameEventType::goal)
-        play.goal(event.team);
-      else if (event.type == GameEventType::stuckBall || event.type == GameEventType::ballOut ||
-               event.type == GameEventType::kickOff)
-        play.interrupt();
-    }
-    if (referee.state() == GameState::playing) play.see(momentOf(match));
-  }
-}
-
-/// What a team did, per time.
-void measureTeam(const MatchSummary& summary, TeamColor team, double minutes, const PlayWatch& play,
-                 Measurement& measured) {
-  const std::string name = "play." + std::string{enumName(team)};
-  int penalties = 0, charges = 0;
-  for (const MatchEvent& event : summary.events) {
-    penalties += event.kind == "penalty" && event.team == team;
-    charges += event.kind == "penalty" && event.team == team &&
-               event.text.find("harge") != std::string::npos;
-  }
-  measured.add(name + ".goals", "goals",
-               team == TeamColor::red ? summary.redScore : summary.blueScore);
-  measured.add(name + ".kicks", "1/min", play.kicks(team) / minutes);
-  measured.add(name + ".penalties", "in 5 min", penalties * 5 / minutes, Aim::atMost(1));
-  measured.add(name + ".charges", "robots", charges, Aim::atMost(0));
-  measured.add(name + ".ownArea", "s in 5 min", play.inOwnArea(team) * 5 / minutes);
-  for (std::size_t i = 0; i < enumCount<GoalCause>; ++i) {
-    const auto cause = static_cast<GoalCause>(i);
-    measured.add(name + ".letIn." + std::string{enumName(cause)}, "goals", play.letIn(team, cause));
-  }
-}
-
-/// How often each penalty was given to a team.
-void measurePenalties(const Referee& referee, TeamColor team, double minutes,
-                      Measurement& measured) {
-  EnumArray<Penalty, int> penalties;
-  for (const GameEvent& event : referee.events())
-    if (event.type == GameEventType::penalty && event.team == team) ++penalties[event.penalty];
-  const std::string name = "play." + std::string{enumName(team)} + ".penalties.";
-  for (std::size_t i = 0; i < enumCount<Penalty>; ++i)
-    if (const auto penalty = static_cast<Penalty>(i); penalty != Penalty::none)
-      measured.add(name + std::string{enumName(penalty)}, "in 5 min",
-                   penalties[penalty] * 5 / minutes);
+/// What is aimed at with figures of play.
+Aim aimOf(const std::string& figure) {
+  if (figure.ends_with(".penalties")) return Aim::atMost(1);
+  if (figure.ends_with("Charge")) return Aim::atMost(0);
+  return {};
 }
 
 Result<Measurement> playBoth(const Job& job, const DataRoot& root) {
   auto match = matchOnScene(job, root, "scenes/match.scene", job.number("minutes"));
   if (!match) return match.error();
-  const SceneDescription& scene = (*match)->simulation().scene();
-  PlayWatch play{*(*match)->configuration().field, scene.physics.deceleration};
-  watch(**match, play);
+  while (!(*match)->finished()) (*match)->step();
   if (const auto done = (*match)->soundness(); !done) return done.error();
-  const MatchSummary summary = (*match)->summary();
   Measurement measured;
-  for (const TeamColor team : {TeamColor::red, TeamColor::blue}) {
-    measureTeam(summary, team, job.number("minutes"), play, measured);
-    measurePenalties((*match)->simulation().referee(), team, job.number("minutes"), measured);
-  }
-  for (const auto& [name, rate] : play.tally().rates)
-    measured.add("play." + name, "%", rate.percent());
-  for (const auto& [name, times] : play.tally().errors)
-    for (const auto& [of, value] : summaryOf(times.values))
-      measured.add("play." + name + '.' + of, times.unit, value);
+  for (const PlayFigure& figure : (*match)->summary().play)
+    measured.add("play." + figure.name, figure.unit, figure.value, aimOf(figure.name));
   return measured;
 }
 

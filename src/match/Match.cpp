@@ -63,8 +63,8 @@ Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
     if (!endpoint) return endpoint.error();
     if (auto done = match->gameController_->listen(*endpoint); !done) return done.error();
   }
-  match->statistics_ =
-      std::make_unique<MatchStatistics>(*match->simulation_, match->allRobots_, match->kicks());
+  match->statistics_ = std::make_unique<MatchStatistics>(
+      *match->simulation_, match->allRobots_, match->kicks(), *match->configuration_->field);
   match->images_ =
       std::make_unique<ReportImages>(options.images, scene->game.minutes, match->robots_);
   if (!options.logs.empty())

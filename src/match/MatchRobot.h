@@ -1,4 +1,5 @@
 #pragma once
+#include "representations/behavior/TeamMessage.h"
 #include "representations/modeling/BallModel.h"
 #include "representations/modeling/RobotPose.h"
 #include "representations/modeling/RobotState.h"
@@ -15,6 +16,8 @@ class MatchRobot : public RobotController {
   virtual const BallModel* ball() const = 0;
   virtual const RobotState* state() const = 0;
   virtual const MotionInfo* motion() const = 0;
+  /// What it decided to send its teammates.
+  virtual const BehaviorTeamMessage* decision() const { return nullptr; }
   /// Whether its programs run, as far as is known: a robot that is off answers nobody.
   virtual bool isOn() const { return true; }
 };

@@ -21,8 +21,15 @@ ErrorStatistics statisticsOf(const std::vector<double>& errors) {
 
 MatchStatistics::MatchStatistics(const Simulation& simulation,
                                  const std::vector<MatchRobot*>& robots,
-                                 std::vector<std::vector<std::string>> kicks)
-    : simulation_{simulation}, robots_{robots}, kicks_{std::move(kicks)}, records_(robots.size()) {}
+                                 std::vector<std::vector<std::string>> kicks,
+                                 const FieldDimensions& field)
+    : simulation_{simulation},
+      robots_{robots},
+      kicks_{std::move(kicks)},
+      records_(robots.size()),
+      play_{field, simulation.scene().physics.deceleration} {
+  moment_.robots.resize(robots.size());
+}
 
 void MatchStatistics::update() {
   const bool second = simulation_.time().ms % 1000 == 0;
@@ -41,8 +48,35 @@ void MatchStatistics::update() {
               .norm();
     records_[i].samples.push_back(sample);
   }
-  if (second && simulation_.world().ballCount() > 0)
-    ball_.push_back(simulation_.world().ball(0).position);
+  if (simulation_.world().ballCount() == 0) return;
+  if (second) ball_.push_back(simulation_.world().ball(0).position);
+  watchPlay();
+}
+
+void MatchStatistics::watchPlay() {
+  const std::vector<GameEvent>& events = simulation_.referee().events();
+  for (; notedEvents_ < events.size(); ++notedEvents_) play_.note(events[notedEvents_]);
+  if (simulation_.referee().state() != GameState::playing) return;
+  moment_.time = simulation_.time();
+  moment_.ball = simulation_.world().ball(0);
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const Player& player = simulation_.players()[i];
+    PlayMoment::Robot& robot = moment_.robots[i];
+    robot.team = player.teamColor;
+    robot.position = simulation_.world().robot(i).pose.translation;
+    robot.plays = simulation_.input(i).game.penalty == Penalty::none;
+    robot.kicks = records_[i].kicking;
+    robot.action = records_[i].lastAction;
+    const BehaviorTeamMessage* decision = robots_[i]->decision();
+    robot.hasRole = decision != nullptr;
+    if (decision)
+      robot.role = decision->role;
+    else if (player.role == PlayerRole::goalie)
+      robot.role = DynamicRole::goalie;
+    if (const BallModel* ball = robots_[i]->ball())
+      robot.ballUnseen = static_cast<double>(simulation_.image(i).time - ball->lastSeen);
+  }
+  play_.see(moment_);
 }
 
 void MatchStatistics::compare(std::size_t robot) {
@@ -129,6 +163,9 @@ void MatchStatistics::summarize(MatchSummary& summary) const {
     robot.samples = record.samples;
   }
   summary.ball = ball_;
+  summary.shots = play_.shots();
+  const double minutes = static_cast<double>(simulation_.time().ms) / 60'000;
+  if (minutes > 0) summary.play = play_.figures(minutes);
 }
 
 }  // namespace gt

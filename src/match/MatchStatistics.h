@@ -5,21 +5,22 @@
 
 #include "match/MatchRobot.h"
 #include "match/MatchSummary.h"
+#include "match/PlayWatch.h"
 #include "simulation/Simulation.h"
 
 namespace gt {
 
 /// Compares what the robots of a match believe with the truth, image by image, while the game runs
-/// (ready, set, playing).
+/// (ready, set, playing), and watches how they play.
 class MatchStatistics {
  public:
   /// `kicks` are each robot's special actions that are kicks.
   MatchStatistics(const Simulation& simulation, const std::vector<MatchRobot*>& robots,
-                  std::vector<std::vector<std::string>> kicks);
+                  std::vector<std::vector<std::string>> kicks, const FieldDimensions& field = {});
 
   /// Looks at the world and the robots after a tick.
   void update();
-  /// Fills in the summary's part about the robots and the ball.
+  /// Fills in the summary's part about the robots, the ball and the play.
   void summarize(MatchSummary& summary) const;
   /// The distances between believed and true positions in mm, of all robots and images.
   std::vector<double> localizationErrors() const;
@@ -40,6 +41,7 @@ class MatchStatistics {
     std::vector<RobotSample> samples;
   };
 
+  void watchPlay();
   void compare(std::size_t robot);
   void countActions(std::size_t robot);
 
@@ -48,6 +50,9 @@ class MatchStatistics {
   std::vector<std::vector<std::string>> kicks_;
   std::vector<RobotRecord> records_;
   std::vector<Vector2d> ball_;
+  PlayWatch play_;
+  PlayMoment moment_;            ///< to be seen
+  std::size_t notedEvents_ = 0;  ///< of the referee
 };
 
 /// Mean, median, 95th percentile and maximum; all 0 of nothing.

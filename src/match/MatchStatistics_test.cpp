@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "match/TestPlay.h"
 #include "support/TestScenes.h"
 
 namespace gt {
@@ -62,6 +63,8 @@ TEST(MatchStatistics, ComparesEachImageWithTheTruth) {
   EXPECT_EQ(summary.robots[0].samples.size(), 2u) << "one a second";
   EXPECT_NEAR(summary.robots[0].distanceWalked, 0, 1);
   EXPECT_NEAR(statistics.longestLost(), 0.8, 0.05) << "seconds off by more than a meter";
+  EXPECT_EQ(figureOf(summary.play, "ball.left"), 100) << "nobody goes to the ball";
+  EXPECT_FALSE(figureOf(summary.play, "blue.strikers.none")) << "the robot has no roles";
   EXPECT_EQ(statistics.localizationErrors().size(), 50u);
 }
 

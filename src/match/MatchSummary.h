@@ -108,6 +108,48 @@ struct RobotSummary {
   }
 };
 
+/// A measure of how a match was played.
+struct PlayFigure {
+  std::string name;
+  std::string unit;
+  double value = 0;
+
+  static constexpr auto fields() {
+    return Fields{field("name", &PlayFigure::name, "",
+                        "as play.match measures it; that of a team begins with its color"),
+                  field("unit", &PlayFigure::unit), field("value", &PlayFigure::value)};
+  }
+};
+
+/// How a shot ended: in the goal, at the goalie, at another robot, or it was none after all.
+enum class ShotEnd { goal, saved, stopped, missed };
+
+/// A ball that rolled to a goal, and what the goalie there did meanwhile.
+struct ShotSummary {
+  Time time;
+  TeamColor team = TeamColor::red;
+  int robot = -1;
+  Vector2d from = Vector2d::Zero();
+  double speed = 0;
+  double goalieMoved = 0;
+  std::string goalieAction;
+  ShotEnd end = ShotEnd::missed;
+
+  static constexpr auto fields() {
+    return Fields{field("time", &ShotSummary::time, "ms"),
+                  field("team", &ShotSummary::team, "", "that shoots"),
+                  field("robot", &ShotSummary::robot, "",
+                        "index of the one that touched the ball last; -1 nobody"),
+                  field("from", &ShotSummary::from, "mm", "where the ball was"),
+                  field("speed", &ShotSummary::speed, "mm/s", "of the ball at first"),
+                  field("goalieMoved", &ShotSummary::goalieMoved, "mm",
+                        "how far the goalie was from where it stood at first, at most"),
+                  field("goalieAction", &ShotSummary::goalieAction, "",
+                        "special action that the goalie performed; empty: none"),
+                  field("end", &ShotSummary::end)};
+  }
+};
+
 /// What is to be known about a match when it is over: match.json. The same scene and seed give the
 /// same bytes; what was measured by the machine's clock therefore stands elsewhere (MatchTimes).
 struct MatchSummary {
@@ -118,6 +160,8 @@ struct MatchSummary {
   int redScore = 0, blueScore = 0;
   std::vector<std::string> truth;
   std::vector<MatchEvent> events;
+  std::vector<PlayFigure> play;
+  std::vector<ShotSummary> shots;
   std::vector<RobotSummary> robots;
   std::vector<Vector2d> ball;
 
@@ -134,6 +178,8 @@ struct MatchSummary {
         field("truth", &MatchSummary::truth, "",
               "robots that were given the truth; none in a fair match"),
         field("events", &MatchSummary::events),
+        field("play", &MatchSummary::play, "", "how both teams played, while the game runs"),
+        field("shots", &MatchSummary::shots),
         field("robots", &MatchSummary::robots),
         field("ball", &MatchSummary::ball, "mm", "true position, one a second")};
   }

@@ -35,6 +35,7 @@ void SimulatedRobot::bind() {
   pose_ = robot_->provided<RobotPose>();
   ball_ = robot_->provided<BallModel>();
   state_ = robot_->provided<RobotState>();
+  decision_ = robot_->provided<BehaviorTeamMessage>();
   commands_.motion = robot_->provided<MotionInfo>();
   const auto image = robot_->value(representation<Image>().name);
   image_ = image ? static_cast<const Image*>(image->data()) : nullptr;

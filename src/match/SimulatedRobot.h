@@ -73,6 +73,7 @@ class SimulatedRobot : public MatchRobot {
   const BallModel* ball() const override { return ball_; }
   const RobotState* state() const override { return state_; }
   const MotionInfo* motion() const override { return commands_.motion; }
+  const BehaviorTeamMessage* decision() const override { return decision_; }
   /// The time that writing the log has taken.
   const Stopwatch& logTime() const { return logTime_; }
 
@@ -93,6 +94,7 @@ class SimulatedRobot : public MatchRobot {
   const RobotPose* pose_ = nullptr;
   const BallModel* ball_ = nullptr;
   const RobotState* state_ = nullptr;
+  const BehaviorTeamMessage* decision_ = nullptr;
   const Image* image_ = nullptr;  ///< Of the first process that reads images.
   std::vector<Observer> observers_;
   bool truth_ = false, hadTruth_ = false;

@@ -213,6 +213,7 @@ Result<void> writeReport(const std::string& path, const MatchSummary& summary,
                                   {"@DATA@", scriptSafe(pageData(summary, times, pictures, field))},
                                   {"@CHART_LIBRARY@", std::string{page::chartLibrary()}},
                                   {"@SCRIPT@", std::string{page::script()}},
+                                  {"@PLAY_SCRIPT@", std::string{page::playScript()}},
                                   {"@FIELD_SCRIPT@", std::string{page::fieldScript()}},
                                   {"@CHART_SCRIPT@", std::string{page::chartScript()}}}));
 }

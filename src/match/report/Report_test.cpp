@@ -86,8 +86,9 @@ TEST_F(ReportTest, MatchJsonHasTheNamesThatOthersReadInTheirOrder) {
   ASSERT_TRUE(writeMatchJson(path("match.json"), sampleMatch(1)));
   const auto json = parseJson(contentOf("match.json"), "match.json");
   ASSERT_TRUE(json);
-  EXPECT_THAT(namesOf(*json), ElementsAre("scene", "seed", "duration", "interrupted", "redScore",
-                                          "blueScore", "truth", "events", "robots", "ball"));
+  EXPECT_THAT(namesOf(*json),
+              ElementsAre("scene", "seed", "duration", "interrupted", "redScore", "blueScore",
+                          "truth", "events", "play", "shots", "robots", "ball"));
   EXPECT_THAT(namesOf((*json)["events"][0]), ElementsAre("time", "kind", "text", "team", "player",
                                                          "ownGoal", "redScore", "blueScore"));
   EXPECT_THAT(namesOf((*json)["robots"][0]["localizationError"]),
@@ -134,6 +135,17 @@ TEST_F(ReportTest, ThePageHoldsTheMatch) {
   EXPECT_EQ(data["pictures"][0]["width"], 352);
   EXPECT_EQ(data["field"]["xGroundline"], 2100);
   EXPECT_EQ(occurrences(page, std::string{page::chartLibrary().substr(0, 200)}), 1u);
+}
+
+TEST_F(ReportTest, ThePageShowsHowTheTeamsPlayed) {
+  const MatchSummary match = sampleMatch(7);
+  const std::string page = report(match);
+  EXPECT_EQ(dataOf(page)["match"]["play"], toJson(match)["play"]);
+  EXPECT_EQ(dataOf(page)["match"]["shots"], toJson(match)["shots"]);
+  for (const PlayFigure& figure : match.play) {
+    if (!figure.name.starts_with("ball.")) continue;
+    EXPECT_THAT(page, HasSubstr("  " + figure.name.substr(5) + ": '")) << "words for it";
+  }
 }
 
 TEST_F(ReportTest, ThePageNamesRobotsThatWereGivenTheTruth) {

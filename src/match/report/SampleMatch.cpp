@@ -75,6 +75,41 @@ std::vector<Vector2d> ballPath(Random& random) {
   return path;
 }
 
+/// Some of the figures of play, and a shot for each goal.
+void addPlay(MatchSummary& match) {
+  double share = 36;
+  for (const char* use :
+       {"comes", "rolls", "linedUp", "kicked", "pushed", "duel", "goalie", "searched", "left"}) {
+    match.play.push_back({std::string{"ball."} + use, "%", share});
+    share *= 0.65;
+  }
+  for (const TeamColor team : {TeamColor::red, TeamColor::blue}) {
+    const auto add = [&](const char* name, const char* unit, double value) {
+      match.play.push_back({std::string{enumName(team)} + '.' + name, unit,
+                            team == TeamColor::red ? value : 0.8 * value});
+    };
+    add("possession", "%", 53);
+    add("kicks", "1/min", 4.5);
+    add("kick.afterTouch.median", "s", 5.6);
+    add("kick.way.median", "mm", 702);
+    add("penalties", "in 5 min", 1.5);
+    add("penalties.illegalDefender", "in 5 min", 1.5);
+    add("penalties.ballHolding", "in 5 min", 0);
+  }
+  for (std::size_t i = 0; i < goalTimes.size(); ++i) {
+    ShotSummary shot;
+    shot.time = {(goalTimes[i] - 1) * 1000};
+    shot.team = scorers[i];
+    shot.robot = scorers[i] == TeamColor::red ? 2 : 6;
+    shot.from = {scorers[i] == TeamColor::red ? 1200. : -1200., 300};
+    shot.speed = 1100;
+    shot.goalieMoved = 40;
+    shot.goalieAction = i % 2 == 0 ? "blockLeft" : "";
+    shot.end = ShotEnd::goal;
+    match.shots.push_back(shot);
+  }
+}
+
 ErrorStatistics statistics(double median) {
   return {14500, 1.2 * median, median, 3.1 * median, 7 * median};
 }
@@ -120,6 +155,7 @@ MatchSummary sampleMatch(std::uint64_t seed) {
   match.duration = {lengthOfMatch * 1000};
   addEvents(match);
   match.ball = ballPath(random);
+  addPlay(match);
   for (int i = 0; i < 8; ++i) match.robots.push_back(sampleRobot(i, match.ball, random));
   return match;
 }
