@@ -58,7 +58,7 @@ TEST(MovedRobot, GetsUpFromEveryPosture) {
 
 TEST(MovedRobot, TakesParametersAndRefusesWrongOnes) {
   const auto robot = moved(Fidelity::kinematic);
-  EXPECT_TRUE(robot->configure("WalkingEngine", "InvKin", "[normal]\nmaxStepSizeX 5"));
+  EXPECT_TRUE(robot->configure("WalkingEngine", "InvKin", "[normal]\nmaxStepSizeX 4"));
   robot->standUp();
   robot->request.type = MotionType::walk;
   robot->request.walk = {0, 1000, 0};

@@ -8,6 +8,7 @@ namespace {
 constexpr std::string_view measured = "measured in the four ERS-7 images";
 constexpr std::string_view estimated = "estimated";
 constexpr std::string_view chosen = "chosen by `realism.*`";
+constexpr std::string_view swaying = "as in the dynamic fidelity, `realism.sway`";
 
 // perfect, benign, padova, rough
 constexpr ProfileNumber table[] = {
@@ -18,8 +19,8 @@ constexpr ProfileNumber table[] = {
      "estimated; most of a joint's error is play and zero"},
     {"noise", "acceleration", {{0, 200, 300, 600}}, estimated},
     {"noise", "psd", {{0, 10, 20, 40}}, estimated},
-    {"noise", "slip", {{0, 0.06, 0.2, 0.4}}, chosen},
-    {"noise", "motion", {{0, 1, 4, 8}}, chosen},
+    {"noise", "slip", {{0, 0.06, 0.1, 0.2}}, chosen},
+    {"noise", "motion", {{0, 1, 5, 10}}, chosen},
     {"noise", "psdReflections", {{0, 0, 0.02, 0.04}}, estimated},
     {"body", "tilt", {{0, 0, 0.3, 0.6}}, chosen},
     {"body", "roll", {{0, 0, 0.25, 0.5}}, chosen},
@@ -32,12 +33,12 @@ constexpr ProfileNumber table[] = {
      "commandDelay",
      {{0, 0, 16, 32}},
      "half of the 32 ms that a buffer of joint commands lasts (facts, 1.3)"},
-    {"body", "swayTilt", {{0, 0, 2, 4}}, "as in the dynamic fidelity, `realism.sway`"},
-    {"body", "swayRoll", {{0, 0, 1.9, 3.8}}, "as in the dynamic fidelity, `realism.sway`"},
-    {"body", "swayHeight", {{0, 0, 1.5, 3}}, "as in the dynamic fidelity, `realism.sway`"},
-    {"walking", "shortfall", {{0, 0, 0.05, 0.1}}, estimated},
-    {"walking", "gaitShortfall", {{0, 0, 0.05, 0.1}}, estimated},
-    {"walking", "bursts", {{0, 0, 6, 12}}, estimated},
+    {"body", "swayTilt", {{0, 0, 0.98, 1.96}}, swaying},
+    {"body", "swayRoll", {{0, 0, 1.4, 2.8}}, swaying},
+    {"body", "swayHeight", {{0, 0, 0.1, 0.2}}, swaying},
+    {"walking", "shortfall", {{0, 0, -0.08, 0}}, swaying},
+    {"walking", "gaitShortfall", {{0, 0, 0.1, 0.2}}, swaying},
+    {"walking", "bursts", {{0, 0, 3, 6}}, swaying},
     {"walking", "burstTime", {{0.5, 0.5, 0.5, 1}}, estimated},
     {"walking", "burstSlip", {{0, 0.5, 0.5, 1}}, estimated},
     {"walking", "contactTurn", {{0, 0, 20, 40}}, estimated},

@@ -9,7 +9,9 @@ namespace gt {
 namespace {
 
 constexpr double usualSpeed = 200;  // mm/s: at which the swaying is that of the scene
-constexpr double usualLift = 25;    // mm (facts, 4)
+/// The exponent with which the swaying grows with the speed: hardly (`realism.sway`).
+constexpr double growth = 0.25;
+constexpr double usualLift = 25;  // mm (facts, 4)
 /// How long the irregular part of the swaying keeps its direction: half of a step.
 constexpr double wanderTime = 0.15;  // s
 /// The shares of the variance of a sine in step with the feet and of the irregular part.
@@ -24,7 +26,7 @@ const Sway& Gait::sway(const BodyParameters& body, const std::array<double, 4>& 
   const double fresh = std::sqrt(1 - keep * keep);
   for (double* wander : {&wanderTilt_, &wanderRoll_, &wanderHeight_})
     *wander = keep * *wander + fresh * random_.gaussian();
-  const double strength = std::min(speed / usualSpeed, 1.5);
+  const double strength = std::pow(std::min(speed / usualSpeed, 2.), growth);
   const auto lifted = [&](double mm) { return std::clamp(mm / usualLift, -1.0, 1.0); };
   // While the right legs' and the left legs' feet are lifted in turns, the body leans to the side
   // that has less below it; fore and hind likewise.
