@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <utility>
 
 #include "xabsl/language/Text.h"
 #include "xabsl/language/Utf8.h"
@@ -18,6 +19,10 @@ constexpr std::array<std::string_view, 28> keywords = {
     "float",       "const",    "stay",   "include", "behavior", "namespace",   "internal"};
 constexpr std::array<std::string_view, 3> keywordsSince31 = {"capacity", "conflict",
                                                              "synchronized"};
+
+constexpr std::array<std::string_view, 16> declaringWords = {
+    "include", "agent", "namespace", "option", "initial", "target",   "state",  "common",
+    "input",   "float", "bool",      "enum",   "const",   "internal", "output", "behavior"};
 
 constexpr std::array<std::string_view, 6> longPunctuation = {"==", "!=", "<=", ">=", "&&", "||"};
 constexpr std::string_view shortPunctuation = "{}();,=!-+*/%<>?:";
@@ -68,6 +73,12 @@ Token Lexer::next() {
   token.doc = doc_;
   token.end = location_;
   return token;
+}
+
+bool Lexer::isNext(char letter) const {
+  std::size_t ahead = 0;
+  while (!atEnd(ahead) && isBlank(peek(ahead))) ++ahead;
+  return peek(ahead) == letter;
 }
 
 Token Lexer::read() {
@@ -132,15 +143,15 @@ void Lexer::skipBlockComment() {
   using Kind = syntax::Comment::Kind;
   const Location start = location_;
   const std::size_t first = position_;
-  advance();
-  advance();
-  while (!atEnd() && !(peek() == '*' && peek(1) == '/')) advance();
-  if (atEnd()) {
-    reporter_.error(start, "comment is not closed, expected '*/'");
+  const std::size_t close = openComment_ ? std::string_view::npos : text_.find("*/", first + 2);
+  const bool closed = close != std::string_view::npos;
+  const std::size_t end = closed ? close + 2 : endOfOpenComment(first);
+  while (position_ < end) advance();
+  if (!closed) {
+    if (!std::exchange(openComment_, true))
+      reporter_.error(start, "comment is not closed, expected '*/'");
     return;
   }
-  advance();
-  advance();
   std::string_view inner = text_.substr(first, position_ - first);
   Kind kind = Kind::block;
   if (inner.size() >= 7 && inner.substr(0, 4) == "/***") {
@@ -150,6 +161,23 @@ void Lexer::skipBlockComment() {
     doc_ = trimmed(inner.substr(3, inner.size() - 5));
   }
   keep(kind, first, start);
+}
+
+/// Where a comment that is not closed probably ends: before the next line that begins as a
+/// declaration does, so that editors still know what is declared there.
+std::size_t Lexer::endOfOpenComment(std::size_t start) const {
+  std::size_t newline = text_.find('\n', start);
+  while (newline != std::string_view::npos) {
+    const std::size_t begin = newline + 1;
+    newline = text_.find('\n', begin);
+    std::string_view word = text_.substr(begin, newline - begin);
+    word.remove_prefix(std::min(word.find_first_not_of(" \t\r"), word.size()));
+    word =
+        word.substr(0, static_cast<std::size_t>(
+                           std::find_if_not(word.begin(), word.end(), isNamePart) - word.begin()));
+    if (contains(declaringWords, word)) return begin;
+  }
+  return text_.size();
 }
 
 void Lexer::keep(syntax::Comment::Kind kind, std::size_t start, Location begin) {

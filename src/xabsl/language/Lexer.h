@@ -50,6 +50,9 @@ class Lexer {
 
   Token next();
 
+  /// Whether the first letter behind the last token and blanks is this one.
+  bool isNext(char letter) const;
+
  private:
   bool atEnd(std::size_t ahead = 0) const { return position_ + ahead >= text_.size(); }
   char peek(std::size_t ahead = 0) const { return atEnd(ahead) ? '\0' : text_[position_ + ahead]; }
@@ -58,6 +61,7 @@ class Lexer {
   void skipBlanks();
   void skipLineComment();
   void skipBlockComment();
+  std::size_t endOfOpenComment(std::size_t start) const;
   void keep(syntax::Comment::Kind kind, std::size_t start, Location begin);
   std::string_view takeName();
   Token enclosed(Token token, TokenKind kind, char close, const char* name);
@@ -72,6 +76,7 @@ class Lexer {
   Dialect dialect_;
   std::string_view doc_;
   std::size_t position_ = 0;
+  bool openComment_ = false;  ///< no comment ends behind here any more
   Location location_;
 };
 

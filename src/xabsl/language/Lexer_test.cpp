@@ -35,6 +35,16 @@ TEST(Lexer, SplitsTextIntoTokens) {
   EXPECT_FALSE(reporter.failed());
 }
 
+/// While one types a comment, what is declared behind it is known.
+TEST(Lexer, EndsAnOpenCommentBeforeTheNextDeclaration) {
+  Reporter reporter;
+  const std::string open = "a /* b\n * option\n statement\n\n\toption c { /* e\n}\nfloat f; /* g";
+  EXPECT_THAT(describedTokens(open, reporter),
+              ElementsAre("'a'", "'option'", "'c'", "'{'", "'float'", "'f'", "';'"));
+  EXPECT_EQ(test::errors(reporter.take()), "f:1:3: comment is not closed, expected '*/'\n");
+  EXPECT_THAT(describedTokens("a /* b\noption c { /* d */ e", reporter), ElementsAre("'a'", "'e'"));
+}
+
 TEST(Lexer, SkipsAllKindsOfComments) {
   Reporter reporter;
   EXPECT_THAT(describedTokens("a // b\n/* c\n * d */ e /** f */ /*** g ***/ h /**/ i", reporter),

@@ -50,12 +50,47 @@ Parser::Parser(int file, std::string_view text, Reporter& reporter, Program& pro
 void Parser::parse() {
   while (token_.kind != TokenKind::end && !reporter_.full()) {
     try {
+      guesses_ = false;
       declaration();
     } catch (const SyntaxError&) {
-      skipToDeclaration();
+      recover();
     }
   }
   header();
+}
+
+/// After an error, reads what still belongs to the option or namespace before it: states whose
+/// option a brace too many has closed, or symbols behind a broken title. Stops at a declaration.
+void Parser::recover() {
+  space_ = -1;
+  skipToDeclaration();
+  while (!reporter_.full() && !atDeclaration()) {
+    const bool space = atSymbol() || (atType() && !atParameter());
+    if (block_ != (space ? Block::space : Block::option)) guess(space);
+    try {
+      if (space)
+        namespaceBody();
+      else
+        optionBody();
+    } catch (const SyntaxError&) {
+      space_ = -1;
+    }
+    skipToDeclaration();
+  }
+}
+
+/// What belongs to no option or namespace has one whose word is misspelled. That was reported.
+void Parser::guess(bool space) {
+  guesses_ = true;
+  Declaration& guessed = space ? static_cast<Declaration&>(program_.namespaces.emplace_back())
+                               : program_.options.emplace_back();
+  guessed = begin();
+  enter(space ? Block::space : Block::option);
+}
+
+void Parser::enter(Block block) {
+  block_ = block;
+  closed_ = false;
 }
 
 /// The title and so on of the first header that has some: only the file with the agents has one.
@@ -85,7 +120,11 @@ void Parser::header() {
 }
 
 void Parser::fail(const std::string& message) {
-  reporter_.error(token_.location, message);
+  failAt(token_.location, message);
+}
+
+void Parser::failAt(Location location, const std::string& message) {
+  if (!guesses_) reporter_.error(location, message);
   throw SyntaxError();
 }
 
@@ -98,9 +137,10 @@ Token Parser::take() {
   return std::exchange(token_, lexer_.next());
 }
 
-/// What a declaration that starts at the next token begins with.
+/// What a declaration that starts at the next token begins with. Until its name is read, it has
+/// none.
 Declaration Parser::begin() {
-  return {{}, documentation(token_), {token_.location, token_.location}, space_};
+  return {{{}, token_.location}, documentation(token_), {token_.location, token_.location}, space_};
 }
 
 /// The documentation before a token that begins something: its comment is no loose one then.
@@ -129,8 +169,7 @@ void Parser::expect(std::string_view text) {
 void Parser::expectSemicolon() {
   if (accept(";")) return;
   if (token_.location.line == end_.line) failExpected("';'");
-  reporter_.error(end_, "expected ';', found the end of the line");
-  throw SyntaxError();
+  failAt(end_, "expected ';', found the end of the line");
 }
 
 /// About what this compiler reads and the public compiler of XABSL 3.1 refuses.
@@ -163,33 +202,69 @@ void Parser::warnFileName(const std::string& what, const Name& name) {
                                          std::string(name.text) + ".xabsl'");
 }
 
+/// Behind the name of an action, `option (` calls an option.
+bool Parser::atDeclaration() const {
+  return token_.kind == TokenKind::end || token_.is("agent") || token_.is("namespace") ||
+         token_.is("include") || (token_.is("option") && !lexer_.isNext('('));
+}
+
+/// Whether a word stands here with which a part of a namespace begins, and no part of an option.
+bool Parser::atSymbol() const {
+  return token_.is("const") || token_.is("input") || token_.is("output") || token_.is("internal") ||
+         (token_.is("behavior") && !lexer_.isNext('('));
+}
+
+bool Parser::atType() const {
+  return token_.is("float") || token_.is("bool") || token_.is("enum");
+}
+
+/// Whether a word stands here with which a part of an option begins, and none of a namespace.
+bool Parser::atCommonOrState() const {
+  return atState() || token_.is("common");
+}
+
+/// Whether a parameter of an option begins here.
+bool Parser::atParameter() const {
+  return token_.kind == TokenKind::parameter ||
+         (atType() && (lexer_.isNext('@') || (block_ == Block::option && !closed_)));
+}
+
+/// Also stops at what belongs to an option or a namespace, but not at parts of the other one while
+/// one of them is open.
 void Parser::skipToDeclaration() {
-  while (token_.kind != TokenKind::end && !token_.is("option") && !token_.is("agent") &&
-         !token_.is("namespace") && !token_.is("include"))
+  const bool inSpace = block_ == Block::space && !closed_,
+             inOption = block_ == Block::option && !closed_;
+  while (!atDeclaration() && !atType() && (inSpace || !atCommonOrState()) &&
+         (inOption || !atSymbol()))
     take();
 }
 
 void Parser::skipToMember() {
-  while (token_.kind != TokenKind::end && !token_.is(";") && !token_.is("}") &&
-         !token_.is("namespace") && !token_.is("option") && !token_.is("agent"))
+  while (!atDeclaration() && !atType() && !atSymbol() && !token_.is(";") && !token_.is("}")) take();
+  accept(";");
+}
+
+void Parser::skipToNextParameter() {
+  while (!atDeclaration() && !atCommonOrState() && !atType() && !token_.is(";") && !token_.is("}"))
     take();
   accept(";");
 }
 
 void Parser::skipToState() {
-  while (token_.kind != TokenKind::end && !atState() && !token_.is("namespace") &&
-         !token_.is("option") && !token_.is("agent"))
-    take();
+  while (!atDeclaration() && !atState()) take();
+}
+
+void Parser::skipToActions() {
+  while (!atDeclaration() && !atState() && !token_.is("action")) take();
 }
 
 void Parser::skipToNextAction() {
-  while (token_.kind != TokenKind::end && !token_.is(";") && !token_.is("}") && !atState() &&
-         !token_.is("namespace") && !token_.is("agent"))
-    take();
+  while (!atDeclaration() && !atState() && !token_.is(";") && !token_.is("}")) take();
   accept(";");
 }
 
 void Parser::declaration() {
+  if (token_.is("include") || token_.is("agent")) enter(Block::none);
   if (token_.is("include"))
     include();
   else if (token_.is("option"))
@@ -215,79 +290,90 @@ void Parser::agent() {
   static_cast<Declaration&>(agent) = begin();
   take();
   agent.name = expectName("the name of an agent");
-  expect("(");
-  if (token_.kind != TokenKind::string) failExpected("the title of the agent in quotes");
-  agent.title = take().text;
-  expect(",");
-  agent.rootOption = expectName("the name of the root option");
-  expect(")");
-  expectSemicolon();
-  agent.extent.end = end_;
-  program_.agents.push_back(agent);
+  finish(program_.agents, agent, [&] {
+    expect("(");
+    if (token_.kind != TokenKind::string) failExpected("the title of the agent in quotes");
+    agent.title = take().text;
+    expect(",");
+    agent.rootOption = expectName("the name of the root option");
+    expect(")");
+    expectSemicolon();
+  });
 }
 
 void Parser::option() {
-  Option option;
-  static_cast<Declaration&>(option) = begin();
+  const Declaration declaration = begin();
+  Option& option = program_.options.emplace_back();
+  static_cast<Declaration&>(option) = declaration;
+  enter(Block::option);
   take();
-  option.name = expectName("the name of an option");
   try {
-    optionBody(option);
+    option.name = expectName("the name of an option");
+    warnFileName("option", option.name);
+    expect("{");
+    optionBody();
   } catch (const SyntaxError&) {
-    // What is whole in it is of use for who types it.
+    skipToDeclaration();
     option.extent.end = end_;
-    program_.options.push_back(std::move(option));
     throw;
   }
-  option.extent.end = end_;
-  accept(";");
-  program_.options.push_back(std::move(option));
 }
 
-void Parser::optionBody(Option& option) {
-  warnFileName("option", option.name);
-  expect("{");
-  while (token_.kind == TokenKind::parameter || token_.is("float") || token_.is("bool") ||
-         token_.is("enum"))
-    option.parameters.push_back(parameter(true));
-  try {
-    while (accept("common")) {
-      if (token_.is("decision") && !option.commonDecision) {
-        take();
-        option.commonDecision = commonDecision();
-      } else if (token_.is("action") && !option.hasCommonActions) {
-        take();
-        option.hasCommonActions = true;
-        option.commonActions = actions();
-      } else {
-        failExpected("'decision' or 'action', each at most once");
-      }
+/// What the option that was read last has in its braces, and the closing one.
+void Parser::optionBody() {
+  Option& option = program_.options.back();
+  bool broken = false;
+  while (atParameter()) {
+    try {
+      option.parameters.push_back(parameter(true));
+    } catch (const SyntaxError&) {
+      broken = true;
+      skipToNextParameter();
     }
-  } catch (const SyntaxError&) {
-    common_ = false;
-    skipToState();
   }
+  while (token_.is("common")) {
+    try {
+      common(option);
+    } catch (const SyntaxError&) {
+      common_ = false;
+      while (!atDeclaration() && !atCommonOrState()) take();
+    }
+  }
+  if (broken && !atState()) throw SyntaxError();
   states(option);
+  option.extent.end = end_;
   expect("}");
+  closed_ = true;
+  option.extent.end = end_;
+  accept(";");
+}
+
+void Parser::common(Option& option) {
+  take();
+  if (token_.is("decision") && !option.commonDecision) {
+    take();
+    option.commonDecision = commonDecision();
+  } else if (token_.is("action") && !option.hasCommonActions) {
+    take();
+    option.hasCommonActions = true;
+    actions(option.commonActions);
+  } else {
+    failExpected("'decision' or 'action', each at most once");
+  }
 }
 
 void Parser::states(Option& option) {
   if (!atState()) failExpected("a parameter, 'common' or a state");
   while (atState() && !reporter_.full()) {
-    State read;
+    State& read = option.states.emplace_back();
     try {
       state(read);
-      option.states.push_back(std::move(read));
     } catch (const SyntaxError&) {
-      State named;
-      static_cast<Declaration&>(named) = read;
-      named.initial = read.initial;
-      named.target = read.target;
-      named.extent.end = end_;
-      if (!named.name.text.empty()) option.states.push_back(std::move(named));
       skipToState();
     }
+    read.extent.end = end_;
   }
+  option.extent.end = end_;
   // After an error the closing brace may have been skipped together with a broken last state.
   if (!token_.is("}") && reporter_.failed()) throw SyntaxError();
 }
@@ -312,7 +398,6 @@ void Parser::state(State& state) {
   expect("{");
   stateBody(state);
   expect("}");
-  state.extent.end = end_;
 }
 
 Cooperation Parser::cooperation() {
@@ -338,20 +423,24 @@ Cooperation Parser::cooperation() {
 
 void Parser::stateBody(State& state) {
   if (accept("decision")) {
-    expect("{");
-    state.decisionLocation = token_.location;
-    state.leadingElse = accept("else");
-    state.decision = decision();
-    expect("}");
+    try {
+      expect("{");
+      state.decisionLocation = token_.location;
+      state.leadingElse = accept("else");
+      state.decision = decision();
+      expect("}");
+    } catch (const SyntaxError&) {
+      skipToActions();
+      if (!token_.is("action")) throw;
+    }
   }
   expect("action");
-  state.actions = actions();
+  actions(state.actions);
   if (token_.is("decision")) fail("the decision of a state stands before its action");
 }
 
-std::vector<Action> Parser::actions() {
+void Parser::actions(std::vector<Action>& actions) {
   expect("{");
-  std::vector<Action> actions;
   while (!token_.is("}") && !reporter_.full()) {
     try {
       actions.push_back(action());
@@ -361,7 +450,6 @@ std::vector<Action> Parser::actions() {
     }
   }
   expect("}");
-  return actions;
 }
 
 Action Parser::action() {

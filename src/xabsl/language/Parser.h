@@ -13,7 +13,8 @@
 namespace xabsl {
 
 /// Reads one file of XABSL text into the syntax tree. A syntax error is reported, and reading
-/// goes on with the next action, state or declaration.
+/// goes on with the next action, state, symbol or declaration. What is broken is kept as far as it
+/// was read, for editors: options, states and namespaces also without a name.
 class Parser {
  public:
   /// Deeper nested expressions and decisions are refused.
@@ -28,9 +29,11 @@ class Parser {
 
  private:
   struct SyntaxError {};
+  enum class Block { none, option, space };
   class Nesting;
 
   [[noreturn]] void fail(const std::string& message);
+  [[noreturn]] void failAt(Location location, const std::string& message);
   [[noreturn]] void failExpected(const std::string& what);
   void warnOfExponent();
   void warnOfDialect(Location location, const std::string& what);
@@ -42,15 +45,43 @@ class Parser {
   void warnFileName(const std::string& what, const syntax::Name& name);
   syntax::Declaration begin();
   std::string_view documentation(const Token& token);
+  bool atDeclaration() const;
+  bool atSymbol() const;
+  bool atType() const;
+  bool atParameter() const;
+  bool atCommonOrState() const;
+  bool atState() const;
+  void recover();
+  void guess(bool space);
+  void enter(Block block);
   void skipToDeclaration();
   void skipToMember();
+  void skipToNextParameter();
   void skipToState();
+  void skipToActions();
   void skipToNextAction();
+
+  /// Reads the rest of a declaration that has a name, and keeps it, also if the rest is broken.
+  template <typename Kept, typename Rest>
+  void finish(std::vector<Kept>& list, Kept& declaration, Rest rest) {
+    const auto keep = [&] {
+      declaration.extent.end = end_;
+      list.push_back(std::move(declaration));
+    };
+    try {
+      rest();
+    } catch (const SyntaxError&) {
+      keep();
+      throw;
+    }
+    keep();
+  }
 
   void declaration();
   void include();
   void agent();
   void namespaceBlock();
+  void namespaceBody();
   void namespaceMembers();
   void namespaceMember();
   void enumeration();
@@ -62,18 +93,18 @@ class Parser {
   void header();
   void behavior();
   bool typeName(syntax::TypeName& type);
-  std::vector<syntax::Parameter> parameters(std::string_view close);
+  void parameters(std::vector<syntax::Parameter>& parameters, std::string_view close);
   syntax::Parameter parameter(bool ofOption);
   void unitAndRange(std::string_view& range, std::string_view& unit);
 
   void option();
+  void optionBody();
+  void common(syntax::Option& option);
   void states(syntax::Option& option);
-  bool atState() const;
   void state(syntax::State& state);
-  void optionBody(syntax::Option& option);
   Cooperation cooperation();
   void stateBody(syntax::State& state);
-  std::vector<syntax::Action> actions();
+  void actions(std::vector<syntax::Action>& actions);
   syntax::Action action();
   std::vector<syntax::Argument> arguments();
   syntax::DecisionPtr commonDecision();
@@ -101,7 +132,10 @@ class Parser {
   int file_;
   int space_ = -1;  ///< the namespace that is being read
   int nesting_ = 0;
-  bool common_ = false;  ///< within a common decision
+  Block block_ = Block::none;  ///< what was read last, or is being read
+  bool closed_ = false;        ///< its closing brace was read
+  bool common_ = false;        ///< within a common decision
+  bool guesses_ = false;       ///< reads what belongs to no option or namespace; errors are silent
   bool hasNamespace_ = false;
 };
 

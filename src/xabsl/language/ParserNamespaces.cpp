@@ -9,22 +9,35 @@ namespace xabsl {
 using namespace syntax;
 
 void Parser::namespaceBlock() {
-  Namespace space;
-  static_cast<Declaration&>(space) = begin();
+  const Declaration declaration = begin();
+  Namespace& space = program_.namespaces.emplace_back();
+  static_cast<Declaration&>(space) = declaration;
+  enter(Block::space);
   take();
-  space.name = expectName("the name of a namespace");
-  if (std::exchange(hasNamespace_, true))
-    warnOfDialect(space.name.location, "a second namespace in this file");
-  expect("(");
-  if (token_.kind != TokenKind::string) failExpected("the title of the namespace in quotes");
-  space.title = take().text;
-  expect(")");
-  expect("{");
-  space_ = static_cast<int>(program_.namespaces.size());
-  program_.namespaces.push_back(space);
+  try {
+    space.name = expectName("the name of a namespace");
+    if (std::exchange(hasNamespace_, true))
+      warnOfDialect(space.name.location, "a second namespace in this file");
+    expect("(");
+    if (token_.kind != TokenKind::string) failExpected("the title of the namespace in quotes");
+    space.title = take().text;
+    expect(")");
+    expect("{");
+    namespaceBody();
+  } catch (const SyntaxError&) {
+    skipToDeclaration();
+    space.extent.end = end_;
+    throw;
+  }
+}
+
+/// What the namespace that was read last has in its braces, and the closing one.
+void Parser::namespaceBody() {
+  Namespace& space = program_.namespaces.back();
+  space_ = static_cast<int>(program_.namespaces.size()) - 1;
   namespaceMembers();
-  accept("}");
-  program_.namespaces.back().extent.end = end_;
+  closed_ = accept("}");
+  space.extent.end = end_;
   space_ = -1;
   accept(";");
 }
@@ -35,10 +48,11 @@ void Parser::namespaceMembers() {
       namespaceMember();
     } catch (const SyntaxError&) {
       skipToMember();
-      if (token_.is("namespace") || token_.is("option") || token_.is("agent")) return;
+      if (atDeclaration()) return;
     }
   }
   if (!token_.is("}") && !reporter_.full()) {
+    program_.namespaces.back().extent.end = end_;
     space_ = -1;
     failExpected("'}'");
   }
@@ -96,7 +110,8 @@ void Parser::enumerationElements(const Declaration& declaration, const Name& nam
     while (accept(","));
     if (!token_.is("}")) failExpected("',' or '}'");
   } catch (const SyntaxError&) {
-    while (token_.kind != TokenKind::end && !token_.is("}") && !token_.is(";")) take();
+    while (!atDeclaration() && !atType() && !atSymbol() && !token_.is("}") && !token_.is(";"))
+      take();
   }
   accept("}");
   if (!accept(";")) warnOfDialect(end_, "an enumeration without ';' behind it");
@@ -109,17 +124,17 @@ void Parser::constant(const Declaration& declaration) {
   Constant constant;
   static_cast<Declaration&>(constant) = declaration;
   constant.name = expectName("the name of a constant");
-  expect("=");
-  constant.negative = accept("-");
-  if (token_.kind != TokenKind::number) failExpected("a number");
-  warnOfExponent();
-  constant.digits = token_.text;
-  constant.value = constant.negative ? -token_.number : token_.number;
-  take();
-  unitAndRange(constant.range, constant.unit);
-  expectSemicolon();
-  constant.extent.end = end_;
-  program_.constants.push_back(constant);
+  finish(program_.constants, constant, [&] {
+    expect("=");
+    constant.negative = accept("-");
+    if (token_.kind != TokenKind::number) failExpected("a number");
+    warnOfExponent();
+    constant.digits = token_.text;
+    constant.value = constant.negative ? -token_.number : token_.number;
+    take();
+    unitAndRange(constant.range, constant.unit);
+    expectSemicolon();
+  });
 }
 
 void Parser::symbol(const Declaration& declaration, const TypeName& type) {
@@ -135,19 +150,19 @@ void Parser::symbol(const Declaration& declaration, const TypeName& type) {
   if (type.kind == ValueKind::enumeration && accept("{"))
     return enumerationElements(declaration, type.enumeration, symbol.kind == SymbolKind::internal);
   symbol.name = expectName("the name of a symbol");
-  const Location unit = token_.location;
-  unitAndRange(symbol.range, symbol.unit);
-  if (type.kind == ValueKind::enumeration && !symbol.unit.empty())
-    warnOfDialect(unit, "the unit of an enumerated symbol");
-  if (token_.is("(")) {
-    if (symbol.kind != SymbolKind::input)
-      reporter_.error(token_.location, "only input symbols have parameters");
-    take();
-    symbol.parameters = parameters(")");
-  }
-  expectSemicolon();
-  symbol.extent.end = end_;
-  program_.symbols.push_back(std::move(symbol));
+  finish(program_.symbols, symbol, [&] {
+    const Location unit = token_.location;
+    unitAndRange(symbol.range, symbol.unit);
+    if (type.kind == ValueKind::enumeration && !symbol.unit.empty())
+      warnOfDialect(unit, "the unit of an enumerated symbol");
+    if (token_.is("(")) {
+      if (symbol.kind != SymbolKind::input)
+        reporter_.error(token_.location, "only input symbols have parameters");
+      take();
+      parameters(symbol.parameters, ")");
+    }
+    expectSemicolon();
+  });
 }
 
 void Parser::behavior() {
@@ -155,11 +170,11 @@ void Parser::behavior() {
   static_cast<Declaration&>(behavior) = begin();
   take();
   behavior.name = expectName("the name of a basic behavior");
-  expect("{");
-  behavior.parameters = parameters("}");
-  behavior.extent.end = end_;
+  finish(program_.behaviors, behavior, [&] {
+    expect("{");
+    parameters(behavior.parameters, "}");
+  });
   accept(";");
-  program_.behaviors.push_back(std::move(behavior));
 }
 
 bool Parser::typeName(TypeName& type) {
@@ -174,21 +189,17 @@ bool Parser::typeName(TypeName& type) {
   return true;
 }
 
-std::vector<Parameter> Parser::parameters(std::string_view close) {
-  std::vector<Parameter> parameters;
+void Parser::parameters(std::vector<Parameter>& parameters, std::string_view close) {
   while (!token_.is(close)) {
     try {
       parameters.push_back(parameter(false));
     } catch (const SyntaxError&) {
       skipToMember();
-      if (token_.kind == TokenKind::end || reporter_.full()) throw;
-      if (!token_.is(close) && (token_.kind == TokenKind::punctuation || token_.is("option") ||
-                                token_.is("agent") || token_.is("namespace")))
-        throw;
+      const bool another = atType() || token_.kind == TokenKind::identifier;
+      if (reporter_.full() || (!another && !token_.is(close))) throw;
     }
   }
   take();
-  return parameters;
 }
 
 Parameter Parser::parameter(bool ofOption) {

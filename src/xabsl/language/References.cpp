@@ -18,7 +18,7 @@ void References::addQualified(const Entity& owner, const Entity& entity, std::st
 }
 
 void References::declare(const Entity& entity, const syntax::Name& name) {
-  all_.push_back({entity, name.text, name.location, true});
+  if (!name.text.empty()) all_.push_back({entity, name.text, name.location, true});
 }
 
 void References::declareParameters(Kind kind, int owner,

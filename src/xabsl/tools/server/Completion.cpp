@@ -174,8 +174,9 @@ class Completer {
   void each(const List& list, Completion::Kind kind, Entity::Kind entity,
             const std::string& behind = {}) {
     for (std::size_t i = 0; i < list.size(); ++i)
-      add(kind, list[i].name, list[i].name + behind,
-          signatureOf(project_, {entity, static_cast<int>(i)}), list[i].doc);
+      if (!list[i].name.empty())
+        add(kind, list[i].name, list[i].name + behind,
+            signatureOf(project_, {entity, static_cast<int>(i)}), list[i].doc);
   }
 
   void topLevel() {

@@ -206,13 +206,15 @@ Json Server::documentSymbols(const Json& parameters) {
   Json result = Json::array();
   if (file < 0) return result;
   const Lines& lines = project.lines(file);
-  const auto symbol = [&](const syntax::Declaration& declaration, int kind) {
+  // While one types, a declaration may have no name yet.
+  const auto symbol = [&](const syntax::Declaration& declaration, int kind, const char* word) {
     Location end = declaration.name.location;
     end.column += static_cast<int>(declaration.name.text.size());
     const Position begin = lines.position(declaration.name.location);
     // In XML only the begin of an element is known.
     const Location last = isBefore(declaration.extent.end, end) ? end : declaration.extent.end;
-    return Json{{"name", std::string(declaration.name.text)},
+    const std::string name{declaration.name.text};
+    return Json{{"name", name.empty() ? "<" + std::string{word} + ">" : name},
                 {"kind", kind},
                 {"range", range(lines.position(declaration.extent.begin), lines.position(last))},
                 {"selectionRange", range(begin, lines.position(end))},
@@ -221,12 +223,12 @@ Json Server::documentSymbols(const Json& parameters) {
   const auto addAll = [&](const auto& list, int kind, int space, Json& to) {
     for (const auto& declaration : list)
       if (declaration.name.location.file == file && declaration.space == space)
-        to.push_back(symbol(declaration, kind));
+        to.push_back(symbol(declaration, kind, ""));
   };
   const syntax::Program& program = project.program();
   for (std::size_t i = 0; i < program.namespaces.size(); ++i) {
     if (program.namespaces[i].name.location.file != file) continue;
-    Json space = symbol(program.namespaces[i], 3);
+    Json space = symbol(program.namespaces[i], 3, "namespace");
     const int index = static_cast<int>(i);
     addAll(program.enumerations, 10, index, space["children"]);
     addAll(program.symbols, 13, index, space["children"]);
@@ -236,11 +238,18 @@ Json Server::documentSymbols(const Json& parameters) {
   }
   for (const syntax::Option& option : program.options) {
     if (option.name.location.file != file) continue;
-    Json entry = symbol(option, 5);
-    for (const syntax::State& state : option.states) entry["children"].push_back(symbol(state, 24));
+    Json entry = symbol(option, 5, "option");
+    for (const syntax::State& state : option.states)
+      entry["children"].push_back(symbol(state, 24, "state"));
     result.push_back(std::move(entry));
   }
   addAll(program.agents, 19, -1, result);
+  const auto begin = [](const Json& entry) {
+    const Json& start = entry["range"]["start"];
+    return std::pair{start["line"].get<int>(), start["character"].get<int>()};
+  };
+  std::sort(result.begin(), result.end(),
+            [&](const Json& a, const Json& b) { return begin(a) < begin(b); });
   return result;
 }
 
