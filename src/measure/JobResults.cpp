@@ -80,7 +80,8 @@ Result<void> JobResults::read(const std::string& path) {
     if (result)
       results.push_back(*std::move(result));
     else
-      warnings.push_back({path, number, "", "is not a whole result, so it is dropped"});
+      warnings.push_back(
+          {.file = path, .line = number, .what = "is not a whole result, so it is dropped"});
   }
   return {};
 }
