@@ -426,6 +426,7 @@ void FoxgloveServer::publish(Channel& channel, Time time, const T& message, bool
 }
 
 void FoxgloveServer::publish(Channel& channel, Time time, std::string bytes, bool newestOnly) {
+  ++encoded_;
   const auto body = std::make_shared<const std::string>(std::move(bytes));
   for (const auto& [client, subscription] : channel.subscribers) {
     WebSocketMessage message{.binary = true,

@@ -67,6 +67,8 @@ class FoxgloveServer {
   std::uint16_t port() const { return server_->port(); }
   /// Messages that slow clients did not get.
   std::uint64_t dropped() const { return server_->dropped() + skipped_; }
+  /// Messages that were encoded for clients, each once, however many clients take it.
+  std::uint64_t encoded() const { return encoded_; }
   std::size_t viewers() const { return clients_.size(); }
   /// Who was not let in, and why.
   std::vector<WebSocketServer::Refusal> refusals() const { return server_->refusals(); }
@@ -187,6 +189,7 @@ class FoxgloveServer {
   Channel *field_ = nullptr, *truth_ = nullptr, *transforms_ = nullptr, *log_ = nullptr;
   Time now_;
   Paced truthPaced_, framesPaced_;
+  std::uint64_t encoded_ = 0;
   std::uint64_t skipped_ = 0;       ///< Messages that nobody would have taken.
   std::set<std::string> reported_;  ///< Reasons of refusals.
   Clock::time_point newsAsked_, timeSent_, fieldSent_, robotsSought_, parametersAsked_;

@@ -33,9 +33,7 @@ class WebSocketOutbox {
   Outcome put(WebSocketMessage message, std::size_t mostWaiting);
   /// Whether a droppable message would be sent: nothing was dropped since the last one was taken,
   /// and none of the same number waits.
-  bool takes(std::uint32_t newestOf) const {
-    return newestOf == 0 ? !isFull_ : !newest_.contains(newestOf);
-  }
+  bool takes(std::uint32_t newestOf) const { return !isFull_ && !newest_.contains(newestOf); }
   /// The next message to send, the one before it being sent.
   std::optional<WebSocketMessage> take();
 

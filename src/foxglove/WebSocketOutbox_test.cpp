@@ -42,6 +42,7 @@ TEST_F(WebSocketOutboxTest, TakesNothingUntilThereIsRoomAgain) {
   EXPECT_TRUE(outbox.takes(0));
   EXPECT_EQ(put(letter('e')), Outcome::dropped);
   EXPECT_FALSE(outbox.takes(0));
+  EXPECT_FALSE(outbox.takes(7)) << "it would be dropped, too";
   EXPECT_TRUE(outbox.take());
   EXPECT_TRUE(outbox.takes(0));
 }

@@ -132,6 +132,19 @@ class FoxgloveServerTest : public ::testing::Test {
     robot.update();
     server->update(subject);
   }
+  /// Lets the robot run until nothing more is encoded for viewers, for a minute at most. Returns
+  /// whether that happens.
+  bool runUntilIdle() {
+    constexpr int many = 300;
+    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes{1};
+    for (int idle = 0; idle < many;) {
+      if (std::chrono::steady_clock::now() > end) return false;
+      const std::uint64_t before = server->encoded();
+      update();
+      idle = server->encoded() == before ? idle + 1 : 0;
+    }
+    return true;
+  }
   /// Lets the robot run until something holds.
   template <typename Condition>
   bool waitFor(TestViewer& viewer, Condition holds) {
