@@ -125,4 +125,10 @@ class WindowTest : public ::testing::Test {
   QTimer answers_;
 };
 
+/// A window on a scene of one robot.
+class DialogTest : public WindowTest {
+ protected:
+  DialogTest() : WindowTest{"scenes/one-robot.scene"} {}
+};
+
 }  // namespace gt
