@@ -92,7 +92,7 @@ TEST_F(DialogTest, ASceneIsEditedAndBegun) {
   const int line = text->toPlainText().split("<bals>").front().count('\n') + 1;
   EXPECT_TRUE(errors->item(0)->text().contains(QString{".scene:%1:"}.arg(line)))
       << errors->item(0)->text().toStdString();
-  emit errors->itemClicked(errors->item(0));
+  Q_EMIT errors->itemClicked(errors->item(0));
   EXPECT_EQ(text->textCursor().blockNumber() + 1, line);
   // Another place of the ball, in a file of its own.
   type(QString{scene}.replace("<ball x=\"0\"", "<ball x=\"700\""));
