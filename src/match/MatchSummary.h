@@ -129,7 +129,7 @@ struct ShotSummary {
   Time time;
   TeamColor team = TeamColor::red;
   int robot = -1;
-  Vector2d from = Vector2d::Zero();
+  Vector2d origin = Vector2d::Zero();
   double speed = 0;
   double goalieMoved = 0;
   std::string goalieAction;
@@ -140,7 +140,7 @@ struct ShotSummary {
                   field("team", &ShotSummary::team, "", "that shoots"),
                   field("robot", &ShotSummary::robot, "",
                         "index of the one that touched the ball last; -1 nobody"),
-                  field("from", &ShotSummary::from, "mm", "where the ball was"),
+                  field("origin", &ShotSummary::origin, "mm", "where the ball was"),
                   field("speed", &ShotSummary::speed, "mm/s", "of the ball at first"),
                   field("goalieMoved", &ShotSummary::goalieMoved, "mm",
                         "how far the goalie was from where it stood at first, at most"),

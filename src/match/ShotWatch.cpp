@@ -27,7 +27,7 @@ void ShotWatch::begin(const PlayMoment& moment, TeamColor shooter) {
   shot.time = moment.time;
   shot.team = shooter;
   shot.robot = moment.ball.lastToucher;
-  shot.from = moment.ball.position;
+  shot.origin = moment.ball.position;
   shot.speed = moment.ball.speed.norm();
   running_ = Running{shot, goalie ? goalie->position : Vector2d{Vector2d::Zero()},
                      moment.ball.lastTouched};

@@ -37,7 +37,7 @@ TEST_F(ShotWatchTest, FollowsAShotIntoTheGoal) {
   EXPECT_EQ(shot.time, Time{1000});
   EXPECT_EQ(shot.team, TeamColor::red);
   EXPECT_EQ(shot.robot, 0);
-  EXPECT_EQ(shot.from, Vector2d(1000, 0));
+  EXPECT_EQ(shot.origin, Vector2d(1000, 0));
   EXPECT_NEAR(shot.speed, 1503, 1);
   EXPECT_DOUBLE_EQ(shot.goalieMoved, 60);
   EXPECT_EQ(shot.goalieAction, "blockLeft");

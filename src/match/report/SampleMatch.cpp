@@ -101,7 +101,7 @@ void addPlay(MatchSummary& match) {
     shot.time = {(goalTimes[i] - 1) * 1000};
     shot.team = scorers[i];
     shot.robot = scorers[i] == TeamColor::red ? 2 : 6;
-    shot.from = {scorers[i] == TeamColor::red ? 1200. : -1200., 300};
+    shot.origin = {scorers[i] == TeamColor::red ? 1200. : -1200., 300};
     shot.speed = 1100;
     shot.goalieMoved = 40;
     shot.goalieAction = i % 2 == 0 ? "blockLeft" : "";

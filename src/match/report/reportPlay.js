@@ -88,7 +88,7 @@ function showShots() {
                    .map((name, i) => ({name, text: i === 1 || i > 4}));
   fillTable(byId('shotTable'), 'All shots', head, match.shots.map((shot) => [
     clock(shot.time / 1000), shot.robot < 0 ? teamName(shot.team) : robotName(robots[shot.robot]),
-    `${number(shot.from.x)}, ${number(shot.from.y)}`, number(shot.speed),
+    `${number(shot.origin.x)}, ${number(shot.origin.y)}`, number(shot.speed),
     number(shot.goalieMoved), shot.goalieAction || '–', ends[shot.end]
   ]));
 }
