@@ -124,15 +124,16 @@ def test_images_are_arrays(log: gt2003.Log) -> None:
 def test_a_log_plays_through_a_module(log: gt2003.Log) -> None:
     """Until the robot's own solution was replaced, the module does the same again."""
     locator = gt2003.modules.BallLocator("PIDSmoothed")
+    percepts = {time: percept for time, _, percept in log.messages("BallPercept")}
     inputs: dict[str, object] = {}
     played = 0
-    topics = ("BallPercept", "OdometryData", "RobotPose", "CameraMatrix", "BallModel")
-    for time, topic, message in log.messages(*topics):
-        if topic == "/BallModel" and time < 900:
+    for time, topic, message in log.messages("OdometryData", "BallModel"):
+        if topic == "/OdometryData":
+            inputs["odometry_data"] = message
+        elif time < 900:
+            inputs["ball_percept"] = percepts[time]
             assert locator.update(**inputs, frame_info={"time": int(time)}) == message
             played += 1
-        elif topic in ("/BallPercept", "/OdometryData"):
-            inputs[gt2003._core._input_name(topic[1:])] = message
     assert played > 15
 
 
