@@ -18,6 +18,18 @@ namespace gt {
 
 using testing::TestViewer;
 
+/// Noise makes JPEG long.
+inline Image noisyImage() {
+  Image image;
+  image.info.width = 160;
+  image.info.height = 120;
+  image.allocate();
+  std::uint32_t noise = 1;
+  for (Pixel& pixel : image.pixels)
+    pixel.y = static_cast<std::uint8_t>((noise = 1'664'525 * noise + 1'013'904'223) >> 24);
+  return image;
+}
+
 /// A robot with one process, which sends what it is asked for in each of its cycles.
 class SendingRobot : public RobotLink {
  public:
@@ -32,14 +44,8 @@ class SendingRobot : public RobotLink {
   void cycle(Time now) {
     if (asked.contains("RobotPose")) out_.write(now, RobotPose{{0.5, {100, 200}}, 1});
     if (asked.contains("Image")) {
-      Image image;
-      image.time = now;
-      image.info.width = 160;
-      image.info.height = 120;
-      image.allocate();
-      for (Pixel& pixel : image.pixels)  // noise makes JPEG long
-        pixel.y = static_cast<std::uint8_t>((noise_ = 1'664'525 * noise_ + 1'013'904'223) >> 24);
-      out_.write(now, image);
+      image_.time = now;
+      out_.write(now, image_);
     }
     if (asked.contains("eyes/seen")) {
       const auto disk = [](double x) {
@@ -107,7 +113,7 @@ class SendingRobot : public RobotLink {
   }
 
   MessageQueue in_, out_;
-  std::uint32_t noise_ = 1;
+  Image image_ = noisyImage();
 };
 
 class FoxgloveServerTest : public ::testing::Test {
@@ -132,16 +138,22 @@ class FoxgloveServerTest : public ::testing::Test {
     robot.update();
     server->update(subject);
   }
-  /// Lets the robot run until nothing more is encoded for viewers, for a minute at most. Returns
-  /// whether that happens.
-  bool runUntilIdle() {
-    constexpr int many = 300;
-    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes{1};
-    for (int idle = 0; idle < many;) {
-      if (std::chrono::steady_clock::now() > end) return false;
-      const std::uint64_t before = server->encoded();
+  /// Lets the robot run until viewers take nothing any more: many messages were dropped since the
+  /// last one was encoded, during many of the server's intervals. Returns whether that happens
+  /// within a minute.
+  bool runUntilFull() {
+    using Clock = std::chrono::steady_clock;
+    constexpr std::uint64_t many = 100;
+    constexpr std::chrono::milliseconds manyIntervals{300};
+    const auto end = Clock::now() + std::chrono::minutes{1};
+    auto encodedAt = Clock::now();
+    std::uint64_t encoded = 0, dropped = server->dropped();
+    while (server->dropped() < dropped + many || Clock::now() < encodedAt + manyIntervals) {
+      if (Clock::now() > end) return false;
       update();
-      idle = server->encoded() == before ? idle + 1 : 0;
+      if (std::exchange(encoded, server->encoded()) == encoded) continue;
+      encodedAt = Clock::now();
+      dropped = server->dropped();
     }
     return true;
   }

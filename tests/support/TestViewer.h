@@ -88,16 +88,19 @@ class TestViewer {
              .dump());
   }
 
-  /// Takes what has come, without waiting.
+  /// Takes what has come, without waiting: not for the rest of a message either, nor for one after
+  /// a ping.
   void read() {
-    boost::beast::error_code failed;
-    while (isOpen && socket().available(failed) > 0) {
-      boost::beast::flat_buffer buffer;
-      stream_->read(buffer, failed);
-      if (failed)
+    while (isOpen) {
+      if (!reading_) reading_ = std::make_unique<Reading>(*stream_);
+      context_->restart();
+      context_->poll();
+      if (!reading_->isDone) return;
+      if (reading_->failed)
         isOpen = false;
       else
-        take(boost::beast::buffers_to_string(buffer.data()), stream_->got_text());
+        take(boost::beast::buffers_to_string(reading_->buffer.data()), stream_->got_text());
+      reading_.reset();
     }
   }
   boost::asio::ip::tcp::socket& socket() { return stream_->next_layer(); }
@@ -111,10 +114,23 @@ class TestViewer {
   std::uint64_t time = 0;  ///< ns
 
  private:
+  using Stream = boost::beast::websocket::stream<boost::asio::ip::tcp::socket>;
+  /// Of one message.
+  struct Reading {
+    explicit Reading(Stream& stream) {
+      stream.async_read(buffer, [this](boost::beast::error_code why, std::size_t) {
+        failed = why;
+        isDone = true;
+      });
+    }
+    boost::beast::flat_buffer buffer;
+    boost::beast::error_code failed;
+    bool isDone = false;
+  };
+
   TestViewer()
       : context_{std::make_unique<boost::asio::io_context>()},
-        stream_{std::make_unique<boost::beast::websocket::stream<boost::asio::ip::tcp::socket>>(
-            *context_)} {}
+        stream_{std::make_unique<Stream>(*context_)} {}
 
   void connectTo(std::uint16_t port, boost::beast::error_code& failed) {
     socket().open(boost::asio::ip::tcp::v4(), failed);
@@ -150,7 +166,8 @@ class TestViewer {
   }
 
   std::unique_ptr<boost::asio::io_context> context_;
-  std::unique_ptr<boost::beast::websocket::stream<boost::asio::ip::tcp::socket>> stream_;
+  std::unique_ptr<Reading> reading_;
+  std::unique_ptr<Stream> stream_;
 };
 
 }  // namespace gt::testing
