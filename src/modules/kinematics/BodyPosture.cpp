@@ -9,17 +9,22 @@
 namespace gt {
 namespace {
 
-double heightOf(const Vector3d& foot, const BodyPosture& posture) {
-  return posture.height + foot.x() * std::sin(posture.tilt) + foot.z() * std::cos(posture.tilt);
-}
+/// A body that stands on two foot balls.
+struct Stance {
+  double tilt, sine, cosine, height;
 
-/// The posture in which two foot balls stand on the ground.
-BodyPosture standingOn(const Vector3d& fore, const Vector3d& hind, double footRadius) {
-  // Feet that pass each other leave the tilt without meaning: keep it finite.
-  const double distance = std::max(fore.x() - hind.x(), 1.0);
-  const double tilt = std::atan2(hind.z() - fore.z(), distance);
-  return {footRadius - fore.x() * std::sin(tilt) - fore.z() * std::cos(tilt), tilt};
-}
+  Stance(const Vector3d& fore, const Vector3d& hind, double footRadius) {
+    // Feet that pass each other leave the tilt without meaning: keep it finite.
+    const double distance = std::max(fore.x() - hind.x(), 1.0);
+    tilt = std::atan2(hind.z() - fore.z(), distance);
+    sine = std::sin(tilt);
+    cosine = std::cos(tilt);
+    height = footRadius - fore.x() * sine - fore.z() * cosine;
+  }
+  double heightOf(const Vector3d& foot) const {
+    return height + foot.x() * sine + foot.z() * cosine;
+  }
+};
 
 /// What a body that does not stand lies on (models/ers210.xml): the fore end of its trunk with the
 /// radius around it, the hind end, and its knees with theirs (mm).
@@ -35,14 +40,14 @@ BodyPosture bodyPosture(const RobotDimensions& robot, const JointAngles& angles)
   double bestDepth = std::numeric_limits<double>::max();
   for (const auto fore : {Leg::foreRight, Leg::foreLeft})
     for (const auto hind : {Leg::hindRight, Leg::hindLeft}) {
-      const auto posture = standingOn(feet[static_cast<std::size_t>(fore)],
-                                      feet[static_cast<std::size_t>(hind)], robot.footRadius);
+      const Stance stance{feet[static_cast<std::size_t>(fore)],
+                          feet[static_cast<std::size_t>(hind)], robot.footRadius};
       double depth = 0;
       for (const auto& foot : feet)
-        depth = std::max(depth, robot.footRadius - heightOf(foot, posture));
+        depth = std::max(depth, robot.footRadius - stance.heightOf(foot));
       if (depth < bestDepth) {
         bestDepth = depth;
-        best = posture;
+        best = {stance.height, stance.tilt};
       }
     }
   return best;
