@@ -285,13 +285,17 @@ void ImageEffects::setNoise(const CameraEffects& effects) {
 /// A blur of some variance (square pixels): passes with the kernel w/2, 1 - w, w/2, whose variance
 /// is w.
 struct ImageEffects::Spread {
-  int eighths, passes;
+  int passes, least = 0, more = 0;
 
-  explicit Spread(double variance)
-      : eighths{static_cast<int>(std::lround(weightOne * variance))},
-        passes{(eighths + mostWeight - 1) / mostWeight} {}
-  /// Of the neighbors in a pass, in eighths.
-  int weight(int pass) const { return eighths * (pass + 1) / passes - eighths * pass / passes; }
+  explicit Spread(double variance) {
+    const int eighths = static_cast<int>(std::lround(weightOne * variance));
+    passes = (eighths + mostWeight - 1) / mostWeight;
+    if (passes == 0) return;
+    least = eighths / passes;
+    more = eighths % passes;
+  }
+  /// Of the neighbors in a pass, in eighths: about as much in each.
+  int weight(int pass) const { return least + (pass < more ? 1 : 0); }
 };
 
 [[gnu::always_inline]] inline const Plane& ImageEffects::spreadRows(const Plane& plane,

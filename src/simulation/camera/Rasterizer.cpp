@@ -80,10 +80,12 @@ void Rasterizer::fill(ScreenPoint* points, int count, const ScreenPlane& plane, 
     const Floats rows = __builtin_convertvector(from, Floats) + 0.5f - y;
     for (int k = 0; k < std::min(lanes, count - i); ++k) {
       float* const side = (down[k] != 0) == clockwise ? right : left;
-      const float upper = x[k], slope = slopes[k];
-      float row = rows[k];
-      for (int at = from[k]; at < std::min(height_, to[k]); ++at, ++row)
-        side[at] = upper + row * slope;
+      const int end = std::min(height_, to[k]);
+      Floats row = rows[k] + Floats{0, 1, 2, 3};
+      for (int at = from[k]; at < end; at += lanes, row += lanes) {
+        const Ints mask = Ints{0, 1, 2, 3} < end - at;
+        store(side + at, mask ? x[k] + row * slopes[k] : load<Floats>(side + at));
+      }
     }
   }
 }
