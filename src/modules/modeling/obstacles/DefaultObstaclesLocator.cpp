@@ -78,15 +78,16 @@ void DefaultObstaclesLocator::move(const Pose2D& step, Time now) {
 // figure 3.13).
 void DefaultObstaclesLocator::seeImage(const ObstaclesPercept& percept, const BallModel& ball,
                                        const CameraMatrix& camera) {
+  sure_.clear();
   for (const FreeGround& seen : percept.lines) {
-    const FreeGround line = surelyFree(seen, camera);
-    clear(line.nearPoint, line.farPoint);
+    sure_.push_back(surelyFree(seen, camera));
+    clear(sure_.back().nearPoint, sure_.back().farPoint);
   }
   const bool ballKnown = percept.time - ball.lastSeen <= parameters.ballTime;
-  for (const FreeGround& seen : percept.lines) {
-    const FreeGround line = surelyFree(seen, camera);
-    const bool isBall = ballKnown && (seen.farPoint - ball.position).norm() < parameters.ballSize;
-    model_.enter(line.farPoint, !line.farOnBorder && !isBall, percept.time);
+  for (std::size_t i = 0; i < sure_.size(); ++i) {
+    const Vector2d& seen = percept.lines[i].farPoint;
+    const bool isBall = ballKnown && (seen - ball.position).norm() < parameters.ballSize;
+    model_.enter(sure_[i].farPoint, !sure_[i].farOnBorder && !isBall, percept.time);
   }
 }
 
@@ -98,7 +99,9 @@ FreeGround DefaultObstaclesLocator::surelyFree(const FreeGround& line,
   const Vector2d from = camera.pose.translation.head<2>(), way = line.farPoint - from;
   const double distance = way.norm(), nearest = (line.nearPoint - from).norm();
   if (distance <= nearest) return line;
-  const double shorter = height / std::tan(std::atan2(height, distance) + parameters.caution);
+  // The distance at which the camera looks down more steeply, by the tangent of a sum of angles.
+  const double caution = std::tan(parameters.caution);
+  const double shorter = height * (distance - height * caution) / (height + distance * caution);
   FreeGround sure = line;
   sure.farPoint = from + way * (std::max(shorter, nearest) / distance);
   return sure;

@@ -78,6 +78,7 @@ class DefaultObstaclesLocator {
   Vector2d psdHit_ = Vector2d::Zero();  ///< Of the last reading, relative to the robot.
   bool first_ = true;
   OdometryData lastOdometry_;
+  std::vector<FreeGround> sure_;  ///< Of the last image.
   Time lastPicture_ = never(), lastPsd_ = never(), lastLandmarks_ = never();
 };
 
