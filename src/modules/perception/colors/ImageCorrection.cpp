@@ -145,16 +145,18 @@ void ImageCorrection::apply(const Image& image) {
   corrected_.time = image.time;
   const std::array<double, channels> cast{0, cast_.x(), cast_.y(), 0};
   const auto fixed = [](double value) {
-    return static_cast<std::int16_t>(std::floor(value + 0.5));
+    constexpr int below = 32768;  // Where it is added, to cut off is to round down.
+    return static_cast<std::int16_t>(static_cast<int>(value + (below + 0.5)) - below);
   };
   constexpr double one = 32768;
   for (std::size_t c = 0; c < channels; ++c) {
     const int gray = c == 1 || c == 2 ? chromaOfGray : 0;
     const std::int16_t corner = fixed(2 * fraction * cast[c]);
     const std::int16_t gain = fixed(gainOne * (c < 3 ? gain_ : 1));
+    const double columnSize = 2. / width;
     for (int x = 0; x < width; ++x) {
       const std::size_t i = channels * static_cast<std::size_t>(x) + c;
-      columns_[i] = fixed(fraction * (gray + cast[c] * outward(x, 2. / width)));
+      columns_[i] = fixed(fraction * (gray + cast[c] * outward(x, columnSize)));
       corners_[i] = corner;
       gains_[i] = gain;
       neutral_[i] = static_cast<std::int16_t>(gray);

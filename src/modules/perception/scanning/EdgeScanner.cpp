@@ -40,7 +40,10 @@ void EdgeScanner::findBright(const CameraImage& picture, const ScanLine& line) {
   // All at once, and then only where it is steep.
   steep_.resize(y_.size() + sizeof(std::uint64_t));
   std::uint8_t* const steep = steep_.data();
-  for (int i = reach; i < length; ++i) steep[i] = std::abs(difference(i)) > contrast ? 1 : 0;
+  for (int i = reach; i < length; ++i) {
+    const std::uint8_t high = std::max(y[i], y[i - reach]), low = std::min(y[i], y[i - reach]);
+    steep[i] = static_cast<std::uint8_t>(high - low) > contrast ? 1 : 0;
+  }
   const auto nextSteep = [&](int i) {
     for (; i < length; i += 8) {
       std::uint64_t eight;
