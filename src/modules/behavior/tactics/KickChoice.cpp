@@ -5,6 +5,7 @@
 #include <span>
 #include <tuple>
 
+#include "base/WideInstructions.h"
 #include "modules/behavior/tactics/FreeSpace.h"
 
 namespace gt {
@@ -16,6 +17,16 @@ constexpr std::array<std::pair<double, double>, 5> outcomes{
 
 double cross(const Vector2d& a, const Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
+}
+
+/// The angle of a vector, to a hundred thousandth if it points ahead rather than aside (Abramowitz
+/// and Stegun 1964, 4.4.47).
+double aboutAngleOf(double x, double y) {
+  if (!(std::abs(y) <= x)) return std::atan2(y, x);
+  const double slope = y / x, square = slope * slope;
+  return slope *
+         (0.9998660 + square * (-0.3302995 +
+                                square * (0.1801410 + square * (-0.0851330 + square * 0.0208351))));
 }
 
 double nearest(const std::vector<Vector2d>& players, const Vector2d& place, double otherwise) {
@@ -141,8 +152,8 @@ double KickChoice::worthOf(const Vector2d& end) const {
     return world_->values.worth(end, contest, {field.xGroundline, field.ySideline});
   const GoalAngle theirs = angleOfGoal(field.xGroundline, end),
                   ours = angleOfGoal(-field.xGroundline, end);
-  const double wider = std::atan2(theirs.sine * ours.cosine - theirs.cosine * ours.sine,
-                                  theirs.cosine * ours.cosine + theirs.sine * ours.sine);
+  const double wider = aboutAngleOf(theirs.cosine * ours.cosine + theirs.sine * ours.sine,
+                                    theirs.sine * ours.cosine - theirs.cosine * ours.sine);
   const double ahead = end.x() / field.xGroundline;
   return p_.ahead * ahead + p_.shot * wider + p_.possession * std::clamp(contest / 1000, -1., 1.);
 }
@@ -248,27 +259,34 @@ const KickChoice::Imagined& KickChoice::fromBestPlace(int motion) {
 }
 
 template <std::size_t count>
-std::array<double, count> KickChoice::worthTurned(const Imagined& imagined) const {
-  std::array<double, count> worth;
-  worth.fill(imagined.missed * stays_);
-  for (const Imagined::Path& path : imagined.paths) {
-    const double* const turned =
-        &paths_[static_cast<std::size_t>(path.length)][static_cast<std::size_t>(path.direction)];
-    for (std::size_t i = 0; i < count; ++i) worth[i] += path.share * turned[i];
+[[gnu::always_inline]] inline void KickChoice::addTurned(const Imagined& imagined,
+                                                         std::array<double, count>& worth) const {
+  constexpr std::size_t together = std::min<std::size_t>(count, 24);  // sums that registers hold
+  static_assert(count % together == 0);
+  for (std::size_t first = 0; first < count; first += together) {
+    std::array<double, together> some;
+    std::copy_n(&worth[first], together, some.begin());
+    for (const Imagined::Path& path : imagined.paths) {
+      const double* const turned = worthOf(path) + first;
+      for (std::size_t i = 0; i < together; ++i) some[i] += path.share * turned[i];
+    }
+    std::ranges::copy(some, &worth[first]);
   }
-  return worth;
 }
 
 template <std::size_t count>
-std::array<double, count> KickChoice::ownGoals(const Imagined& imagined) const {
-  std::array<double, count> shares{};
-  for (const Imagined::Path& path : imagined.paths) {
-    const double* const turned =
-        &paths_[static_cast<std::size_t>(path.length)][static_cast<std::size_t>(path.direction)];
-    for (std::size_t i = 0; i < count; ++i)
-      if (turned[i] <= ownGoal) shares[i] += path.share;
-  }
-  return shares;
+std::array<double, count> KickChoice::worthTurned(const Imagined& imagined) const {
+  std::array<double, count> worth;
+  worth.fill(imagined.missed * stays_);
+  withWideInstructions([&]() __attribute__((always_inline)) { addTurned(imagined, worth); });
+  return worth;
+}
+
+double KickChoice::ownGoals(const Imagined& imagined, std::size_t turned) const {
+  double share = 0;
+  for (const Imagined::Path& path : imagined.paths)
+    if (worthOf(path)[turned] <= ownGoal) share += path.share;
+  return share;
 }
 
 double KickChoice::worthIn(double seconds, double worth) const {
@@ -361,16 +379,19 @@ void KickChoice::choosePlan() {
     if (!described.isKick() || !isUsed(kick)) continue;
     const Imagined& kicked = fromBestPlace(motion);
     const auto imagined = worthTurned<directions>(kicked);
-    const auto risks = isGoalie ? ownGoals<directions>(kicked) : std::array<double, directions>{};
     const double kickAngle = normalize(angleOf({kick.x, kick.y}) - ballAngle);
     for (std::size_t turned = 0; turned < directions; ++turned) {
       const Facing& there = facings_[turned];
       if (needsRoom && !there.hasRoom) continue;
+      const double most =
+          std::max(imagined[turned], stays_) - p_.second * kick.seconds + p_.otherPlan;
+      if (most <= plan_.worth) continue;
       const double way = timeTo(kick, kickAngle, there);
-      const double worth = worthIn(way + kick.strike, imagined[turned]) -
-                           p_.second * (way + kick.seconds) +
-                           (risks[turned] > p_.ownGoalRisk ? ownGoal : 0) +
-                           (isSame(motion, there.angle) ? p_.otherPlan : 0);
+      double worth = worthIn(way + kick.strike, imagined[turned]) -
+                     p_.second * (way + kick.seconds) +
+                     (isSame(motion, there.angle) ? p_.otherPlan : 0);
+      if (worth <= plan_.worth) continue;
+      if (isGoalie && ownGoals(kicked, turned) > p_.ownGoalRisk) worth += ownGoal;
       if (worth > plan_.worth)
         plan_ = {motion, normalize(there.angle + fromDegrees(kick.direction)), there.angle, worth};
     }
@@ -398,7 +419,7 @@ KickChoice::Plan KickChoice::worthNow(int begun) {
     const double demand = i == begun ? p_.holds : 1;
     if (!isSure(kick, ball, demand) || !isSure(kick, ball_, demand)) continue;
     imagine(about(kick, ball), facing, imagined_);
-    if (isGoalie && ownGoals<1>(imagined_).front() > p_.ownGoalRisk) continue;
+    if (isGoalie && ownGoals(imagined_, 0) > p_.ownGoalRisk) continue;
     const double worth =
         worthIn(kick.strike, worthTurned<1>(imagined_).front()) - p_.second * kick.seconds;
     if (worth > best.worth)

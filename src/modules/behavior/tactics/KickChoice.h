@@ -223,12 +223,17 @@ class KickChoice {
   static void imagine(const About& about, double facing, Imagined& imagined);
   /// What is imagined of a kick from its best place, for a robot that faces 0.
   const Imagined& fromBestPlace(int motion);
-  /// The worth of what is imagined for a robot that is turned by 0, 1, ... steps.
+  /// The worth of a path, for a robot that is turned by 0, 1, ... steps.
+  const double* worthOf(const Imagined::Path& path) const {
+    return &paths_[static_cast<std::size_t>(path.length)][static_cast<std::size_t>(path.direction)];
+  }
+  template <std::size_t count>
+  void addTurned(const Imagined& imagined, std::array<double, count>& worth) const;
+  /// The worth of what is imagined, likewise.
   template <std::size_t count>
   std::array<double, count> worthTurned(const Imagined& imagined) const;
-  /// The share of the balls that end in the own goal, likewise.
-  template <std::size_t count>
-  std::array<double, count> ownGoals(const Imagined& imagined) const;
+  /// The share of the balls that end in the own goal, for a robot that is turned by so many steps.
+  double ownGoals(const Imagined& imagined, std::size_t turned) const;
   /// What it is worth if it takes so many seconds.
   double worthIn(double seconds, double worth) const;
   bool isUsed(const KickDescription& kick) const;

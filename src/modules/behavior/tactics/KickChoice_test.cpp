@@ -329,7 +329,7 @@ TEST_F(KickChoiceTest, CountsAWideGoalAsOneOfTheWidth) {
           return std::min(widest, std::acos(left.normalized().dot(right.normalized())));
         };
         EXPECT_NEAR(choose().plan().worth, 0.1 * (seen(2100) - seen(-2100)) - parameters.blocked,
-                    1e-9)
+                    2e-6)
             << widest << ' ' << x << ' ' << y;
       }
   }
