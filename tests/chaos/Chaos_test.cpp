@@ -3,10 +3,7 @@
 // those of a busy machine.
 #include <fcntl.h>
 #include <gtest/gtest.h>
-#include <netinet/in.h>
 #include <sys/resource.h>
-#include <sys/socket.h>
-#include <sys/un.h>
 
 #include <algorithm>
 #include <chrono>
@@ -18,6 +15,7 @@
 
 #include "chaos/Cable.h"
 #include "chaos/ChaosReport.h"
+#include "chaos/Strangers.h"
 #include "framework/RepresentationDefinition.h"
 #include "framework/Requests.h"
 #include "network/ToolPort.h"
@@ -72,34 +70,6 @@ std::vector<double> readLog(const fs::path& path, ChaosOutcome& outcome) {
   }
   EXPECT_EQ(log->damage().size(), damaged) << log->damage().back().text();
   return times;
-}
-
-/// Connects to a port of this machine, or a local socket, again and again, and sends garbage over a
-/// third of the connections. None of them waits.
-std::vector<FileDescriptor> connectMany(const sockaddr* to, socklen_t size, int type) {
-  constexpr int connections = 2000;
-  std::vector<FileDescriptor> all;
-  for (int i = 0; i < connections; ++i) {
-    FileDescriptor socket{::socket(to->sa_family, type | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)};
-    if (!socket) continue;
-    static_cast<void>(connect(socket.number(), to, size));  // goes on by itself
-    if (i % 3 == 0) send(socket.number(), "garbage", 7, MSG_NOSIGNAL);
-    all.push_back(std::move(socket));
-  }
-  return all;
-}
-std::vector<FileDescriptor> connectMany(int port) {
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(static_cast<std::uint16_t>(port));
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  return connectMany(reinterpret_cast<sockaddr*>(&address), sizeof address, SOCK_STREAM);
-}
-std::vector<FileDescriptor> connectMany(const std::string& path) {
-  sockaddr_un address{};
-  address.sun_family = AF_UNIX;
-  path.copy(address.sun_path, sizeof address.sun_path - 1);
-  return connectMany(reinterpret_cast<sockaddr*>(&address), sizeof address, SOCK_SEQPACKET);
 }
 
 /// A robot of three programs, and a router to which its tools connect.

@@ -1,81 +1,22 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <functional>
-#include <sstream>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "Workplace.h"
 #include "base/Random.h"
-#include "network/Network.h"
-#include "streams/File.h"
-#include "support/ProgramFolder.h"
-#include "support/TestLog.h"
 
 namespace gt {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
-
-/// How a program ended and what it printed.
-struct Outcome {
-  int status = -1;  ///< Exit status; -1 if it crashed.
-  std::string errors;
-};
-
-/// A copy of all files that the programs read, to break one of.
-class Workplace {
- public:
-  Workplace() : root_{fs::temp_directory_path() / ("gt2003-wrong-" + std::to_string(::getpid()))} {
-    fs::remove_all(root_);
-    fs::create_directories(root_);
-    for (const char* folder : {"config", "motions", "behavior", "layouts", "scenes", "models"})
-      fs::copy(folder, root_ / folder, fs::copy_options::recursive);
-    LogBuilder log;
-    for (int i = 0; i < 22; ++i) log.put(0.1 * i);
-    log.put(std::uint32_t{5000}).end(5);
-    log.put(0.25).put(100.0).put(-50.0).end(8);
-    write("robot.log", log.log());
-    // One run of 64^3 colors of class 0, and the end.
-    write("robot.c64", std::string("\0\0\4\0\0\0\0\0\0", 9));
-    write("classes.tsl", "[orange]\ntint 110 140\nsaturation 60 255\nluminance 40 200\n");
-    write("regions.csv", "picture,class,left,top,right,bottom\n0,orange,1,1,2,2\n");
-    write("field.csv", "picture,time,what,x,y\n0,5000,line1,100,120\n");
-    write("labels.csv", "picture,time,class,x,y,r\n0,5000,whole,160,120,20\n");
-  }
-  ~Workplace() { fs::remove_all(root_); }
-
-  std::string read(const std::string& file) const { return *readFile((root_ / file).string()); }
-  void write(const std::string& file, std::string_view content) const {
-    fs::create_directories((root_ / file).parent_path());
-    ASSERT_TRUE(writeFile((root_ / file).string(), content));
-  }
-  const fs::path& root() const { return root_; }
-
-  /// Runs a program in there; names of files in its output are relative to it. The shell can be
-  /// told something before, such as a limit.
-  Outcome run(const std::string& arguments, const std::string& before = "") const {
-    const std::string log = (root_ / "errors").string();
-    const std::string place =
-        "cd " + root_.string() + " && GT2003_ROOT=. XDG_STATE_HOME=" + root_.string() + "/state";
-    const std::string program =
-        "sh -c '" + before + "exec " + programFolder() + "/" + arguments + "'";
-    const int raw =
-        std::system((place + " timeout 300 " + program + " >/dev/null 2>" + log).c_str());
-    return {WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, *readFile(log)};
-  }
-
- private:
-  fs::path root_;
-};
 
 using Break = std::function<std::string(const std::string&)>;
 
@@ -141,14 +82,6 @@ class WrongFiles : public testing::TestWithParam<WrongFile> {
   static std::unique_ptr<Workplace> workplace;
 };
 std::unique_ptr<Workplace> WrongFiles::workplace;
-
-/// The messages in what a program prints: a compiler shows the line below, indented, with a caret.
-int messages(const std::string& errors) {
-  std::istringstream lines{errors};
-  int count = 0;
-  for (std::string line; std::getline(lines, line);) count += !line.starts_with(' ');
-  return count;
-}
 
 TEST_P(WrongFiles, EndWithOneLine) {
   const WrongFile& wrong = GetParam();
@@ -378,94 +311,6 @@ TEST(Programs, CheckTellsAllErrorsOfATree) {
   }
 }
 
-TEST(Programs, RefuseFoldersInsteadOfFiles) {
-  const Workplace workplace;
-  for (const std::string program :
-       {"simgt play scenes", "simgt play scenes/one-robot.scene --behavior behavior",
-        "replay --log scenes", "replay --log robot.log --colors scenes", "xabsl check behavior",
-        "xabsl format behavior"}) {
-    const Outcome outcome = workplace.run(program);
-    EXPECT_EQ(outcome.status, 2) << program;
-    EXPECT_EQ(messages(outcome.errors), 1) << outcome.errors;
-  }
-}
-
-TEST(Programs, RefuseWrongArguments) {
-  const Workplace workplace;
-  for (const std::string program : {"simgt",
-                                    "simgt play --bogus",
-                                    "simgt play --minutes 0",
-                                    "simgt play --seed many",
-                                    "simgt play --threads 0",
-                                    "replay --bogus",
-                                    "replay robot.log",
-                                    "xabsl",
-                                    "xabsl check",
-                                    "xabsl bogus",
-                                    "motionnet",
-                                    "motionnet bogus",
-                                    "motionnet check a b",
-                                    "gtlog",
-                                    "gtlog bogus",
-                                    "gtlog cut robot.log",
-                                    "crashlog",
-                                    "colortable",
-                                    "colortable learn",
-                                    "colortable learn --out out.png --moments 1",
-                                    "colortable learn --log robot.log --out out.c64",
-                                    "colortable filter robot.c64 out.c64 --class purple"}) {
-    const Outcome outcome = workplace.run(program);
-    EXPECT_EQ(outcome.status, 2) << program;
-    EXPECT_NE(outcome.errors, "") << program;
-  }
-}
-
-TEST(Programs, ReplayWithoutTheRealLogIsNoError) {
-  const Workplace workplace;
-  ASSERT_EQ(::setenv("GT_REAL", "nowhere", 1), 0);
-  const Outcome outcome = workplace.run("replay");
-  EXPECT_EQ(outcome.status, 0);
-  EXPECT_EQ(outcome.errors, "");
-}
-
-TEST(Programs, OfTheNetworkRefuseWrongUse) {
-  const Workplace workplace;
-  Network network;
-  const std::string taken = (*network.listen("tcp://127.0.0.1:*"))->endpoint();
-  const int port = std::stoi(taken.substr(taken.rfind(':') + 1));
-  fs::create_directories(workplace.root() / "private");
-  fs::permissions(workplace.root() / "private", fs::perms::owner_all);
-  const std::string motion = "gtrobot-motion --sockets private --crashes crashes --robot red3 ";
-  const std::string router = "router red3=ipc://private/red3.Tools ";
-  for (const auto& [command, line] : std::vector<std::pair<std::string, std::string>>{
-           {"router", "router: robots: there is none"},
-           {"router --gm", "router: robots: there is none"},
-           {"router red3=", "router: red3=: is no robot"},
-           {"router 10.0.1.300", "router: 10.0.1.300: is no robot"},
-           {"router red3=nowhere", "router: network: nowhere: "},
-           {"router a=ipc:///x a=ipc:///y", "router: a: has the name or number of another"},
-           {router + "--listen 0.0.0.0", "router: network: tcp://0.0.0.0:15301: can be reached"},
-           {router + "--release --routers --listen 0.0.0.0",
-            "router: network: tcp://0.0.0.0:15299: can be reached"},
-           {router + "--release --join there", "router: network: there: "},
-           {router + "--keys nokey", "router: nokey: there is no such file"},
-           {router + "--keys config/log.cfg", "router: config/log.cfg"},
-           {router + "--port " + std::to_string(port - 301), "router: network: " + taken},
-           {motion + "--at Motion", "gtrobot-motion: Motion: expected PROCESS=ENDPOINT"},
-           {motion + "--at Motion=there", "gtrobot-motion: network: there: expected an endpoint"},
-           {motion + "--at Nobody=tcp://127.0.0.1:3", "gtrobot-motion: layouts/cmd.layout: Nobody"},
-           {motion + "--at Motion=tcp://0.0.0.0:5001", "gtrobot-motion: network: tcp://0.0.0.0"},
-           {motion + "--at Motion=" + taken, "gtrobot-motion: network: " + taken},
-           {motion + "--keys nokey", "gtrobot-motion: nokey: there is no such file"},
-           {motion + "--layout nolayout", "gtrobot-motion: nolayout: there is no such file"},
-       }) {
-    const Outcome outcome = workplace.run(command);
-    EXPECT_EQ(outcome.status, 2) << command;
-    EXPECT_THAT(outcome.errors, StartsWith(line)) << command;
-    EXPECT_EQ(messages(outcome.errors), 1) << command << "\n" << outcome.errors;
-  }
-}
-
 /// XML whose entity stands for ten thousand million letters, or for a file of the machine.
 std::string xmlBomb(const std::string& root) {
   std::string entities = "<!ENTITY a0 \"aaaaaaaaaa\">";
@@ -506,22 +351,6 @@ TEST(Programs, EndOnBombs) {
       EXPECT_THAT(ended.errors, HasSubstr("bomb.xml:"));
       EXPECT_THAT(ended.errors, Not(HasSubstr("/root:"))) << "no file of the machine is read";
     }
-  }
-}
-
-TEST(Programs, TheRouterRefusesAWrongLastTime) {
-  const Workplace workplace;
-  fs::create_directories(workplace.root() / "state/gt2003");
-  for (const auto& [text, line] : std::vector<std::pair<std::string, std::string>>{
-           {"garbage\n", "router.cfg:1: garbage"},
-           {"robots red3=\n", "router: red3=: is no robot"},
-           {"port 70000\n", "router.cfg:1: port"},
-           {"", "router: robots: there is none"}}) {
-    workplace.write("state/gt2003/router.cfg", text);
-    const Outcome outcome = workplace.run("router");
-    EXPECT_EQ(outcome.status, 2) << text;
-    EXPECT_THAT(outcome.errors, HasSubstr(line)) << text;
-    EXPECT_EQ(messages(outcome.errors), 1) << outcome.errors;
   }
 }
 
