@@ -49,7 +49,7 @@ void GT2003ImageProcessor::look(const Image& image, const CameraMatrix& matrix,
   if (matrix.valid) findPlaces(picture, field, found);
   found.setTime(image.time);
   drawScan(picture, debug);
-  drawSpecialists(debug);
+  drawSpecialists(matrix.valid, debug);
   drawPercepts(picture, found, debug);
   drawGround(found, debug);
 }
@@ -126,12 +126,13 @@ void GT2003ImageProcessor::drawPercepts(const CameraImage& picture, const Percep
 
 // The pixels that the specialists have touched, and the edges that they have found there
 // (report, figure 3.3c).
-void GT2003ImageProcessor::drawSpecialists(Debug& debug) const {
+void GT2003ImageProcessor::drawSpecialists(bool hasPlaces, Debug& debug) const {
   auto canvas = debug.onImage(drawSpecialistsPaths);
   if (!canvas) return;
   for (const ScanPath& path : paths_) canvas.line(path.start, path.end.point, colors::gray);
   for (const ScanPath& path : paths_)
     if (!path.end.onBorder) canvas.point(path.end.point, colors::green, 0.7);
+  if (!hasPlaces) return;
   for (const Vector2d& foot : playerSpecialist_.feet()) canvas.point(foot, colors::pink, 0.7);
 }
 

@@ -63,7 +63,7 @@ class GT2003ImageProcessor {
   void findPlaces(const CameraImage& picture, const FieldDimensions& field, const Percepts& found);
   void findFreeGround(const CameraImage& picture, ObstaclesPercept& percept) const;
   void drawScan(const CameraImage& picture, Debug& debug) const;
-  void drawSpecialists(Debug& debug) const;
+  void drawSpecialists(bool hasPlaces, Debug& debug) const;
   void drawPercepts(const CameraImage& picture, const Percepts& found, Debug& debug) const;
   void drawGround(const Percepts& found, Debug& debug) const;
 
