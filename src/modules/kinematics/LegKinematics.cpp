@@ -21,8 +21,9 @@ struct Model {
   }
   /// Shoulder to foot before the shoulder turns it.
   Vector3d fold(double knee) const { return upper + rotationY(-knee) * lower; }
-  static Matrix3d shoulder(const LegAngles& q) {
-    return rotationY(-q.rotator) * rotationX(q.elevator);
+  /// Turned by the shoulder.
+  static Vector3d turned(const LegAngles& q, const Vector3d& v) {
+    return rotationY(-q.rotator) * Vector3d{rotationX(q.elevator) * v};
   }
 };
 
@@ -53,12 +54,12 @@ Vector3d shoulderOf(const RobotDimensions& robot, Leg leg) {
 
 Vector3d footPosition(const RobotDimensions& robot, Leg leg, const LegAngles& q) {
   const Model model{robot, leg};
-  return shoulderOf(robot, leg) + model.mirrored(Model::shoulder(q) * model.fold(q.knee));
+  return shoulderOf(robot, leg) + model.mirrored(Model::turned(q, model.fold(q.knee)));
 }
 
 Vector3d kneePosition(const RobotDimensions& robot, Leg leg, const LegAngles& q) {
   const Model model{robot, leg};
-  return shoulderOf(robot, leg) + model.mirrored(Model::shoulder(q) * model.upper);
+  return shoulderOf(robot, leg) + model.mirrored(Model::turned(q, model.upper));
 }
 
 LegSolution legAngles(const RobotDimensions& robot, Leg leg, const Vector3d& foot) {
