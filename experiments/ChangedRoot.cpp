@@ -8,6 +8,7 @@
 #include "framework/UnknownNames.h"
 #include "robot/ConfigFolder.h"
 #include "robot/Solutions.h"
+#include "robot/TeamSolutions.h"
 #include "streams/File.h"
 #include "streams/LinkFiles.h"
 
@@ -23,7 +24,7 @@ Error wrong(const std::string& field, const std::string& what) {
   return {.field = field, .what = what};
 }
 
-/// The file of a motion, relative to the root.
+/// The file of a motion of a root, relative to it.
 std::string motionFile(const DataRoot& root, const std::string& motion) {
   const fs::path folder = root.path("motions");
   std::error_code failed;  // then it is not found
@@ -52,7 +53,11 @@ Result<void> addChange(const DataRoot& root, const std::string& one, Changes& ch
   }
   const Task* task = solutions().find(path.substr(0, dot));
   if (!task) return wrong(path.substr(0, dot), noSuchTask(solutions(), path.substr(0, dot)));
-  std::string file = "modules.cfg", name = path, solution = value;
+  // A team's choice of solutions counts before the project's.
+  std::error_code missing;
+  std::string file = fs::exists(root.path("config") + '/' + teamSolutions, missing) ? teamSolutions
+                                                                                    : "modules.cfg";
+  std::string name = path, solution = value;
   if (dot != path.npos) {
     const auto second = path.find('.', dot + 1);
     if (second == path.npos) return wrong(path, "expected TASK.SOLUTION.PATH");
@@ -109,7 +114,7 @@ Result<void> change(const fs::path& config, const std::string& name,
   }
   fs::create_directories(fs::path{file}.parent_path(), ignored);
   const std::string text = changedText(before, values);
-  if (name != "modules.cfg")
+  if (name != "modules.cfg" && name != teamSolutions)
     if (auto done = checkParameters(file, text); !done)
       return wrong(fs::path{file}.stem().string() + "." + done.error().field, done.error().what);
   return writeFile(file, text);
@@ -141,19 +146,46 @@ Result<void> changeMotion(const fs::path& root, const std::string& name,
 
 }  // namespace
 
-Result<std::unique_ptr<ChangedRoot>> ChangedRoot::make(const DataRoot& root,
-                                                       const std::string& values) {
-  Changes changes;
-  std::istringstream words{values};
-  for (std::string one; std::getline(words, one, ',');)
-    if (auto done = addChange(root, one, changes); !done) return done.error();
-  auto made = std::make_unique<ChangedRoot>();
-  const fs::path folder = made->folder_.path();
+/// Fills the folder with links.
+Result<void> ChangedRoot::link(const DataRoot& root, const std::string& team) {
+  const fs::path folder = folder_.path();
   if (folder.empty()) return Error{.what = "there is no temporary folder"};
   for (const char* part : {"behavior", "config", "experiments/colors", "layouts", "models",
                            "motions", "scenes", "teams", "tests/real"})
-    if (auto done = linkFiles(fs::absolute(root.path(part)), folder / part); !done)
-      return done.error();
+    if (auto done = linkFiles(fs::absolute(root.path(part)), folder / part); !done) return done;
+  const auto own = teamOfVersion(team, root);
+  if (!own) return own.error();
+  if (own->empty()) return {};
+  auto opened = TeamFolder::open(*own, ConfigurationPaths::in(root));
+  if (!opened) return opened.error();
+  team_ = *std::move(opened);
+  const ConfigurationPaths& paths = team_->paths();
+  for (const auto& [from, part] : {std::pair{fs::path{paths.behavior}.parent_path(), "behavior"},
+                                   {fs::path{paths.config}, "config"},
+                                   {fs::path{paths.motions}, "motions"}})
+    if (auto done = linkFiles(from, folder / part); !done) return done;
+  return {};
+}
+
+Error ChangedRoot::named(Error error) const {
+  const fs::path within = fs::path{error.file}.lexically_relative(folder_.path());
+  if (within.empty() || *within.begin() == "..") return error;
+  std::error_code changed;  // then it is no link
+  const fs::path file = fs::read_symlink(error.file, changed);
+  error.file = (changed ? within : file).string();
+  return team_ ? team_->named(std::move(error)) : error;
+}
+
+Result<std::unique_ptr<ChangedRoot>> ChangedRoot::make(const DataRoot& root,
+                                                       const std::string& values,
+                                                       const std::string& team) {
+  auto made = std::make_unique<ChangedRoot>();
+  if (auto done = made->link(root, team); !done) return done.error();
+  const fs::path folder = made->folder_.path();
+  Changes changes;
+  std::istringstream words{values};
+  for (std::string one; std::getline(words, one, ',');)
+    if (auto done = addChange(made->root(), one, changes); !done) return done.error();
   for (const auto& [file, numbers] : changes) {
     auto done = file.starts_with("motions/") ? changeMotion(folder, file, numbers)
                                              : change(folder / "config", file, numbers);

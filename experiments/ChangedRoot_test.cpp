@@ -6,6 +6,7 @@
 #include "modules/motion/walking/InvKinWalkingEngine.h"
 #include "robot/Configuration.h"
 #include "streams/Config.h"
+#include "streams/File.h"
 
 namespace gt {
 namespace {
@@ -50,6 +51,64 @@ TEST(ChangedRoot, HasMotionsWithOtherValues) {
   };
   EXPECT_NE(longest(*fast), 71);
   EXPECT_EQ(longest(*slow), 71);
+}
+
+/// A team with a motion and a parameter of its own.
+class TeamOfOneKick {
+ public:
+  TeamOfOneKick() {
+    for (const char* part : {"motions/kicks", "config/modules"})
+      std::filesystem::create_directories(folder_.path() / part);
+    write("motions/kicks/tap.mof",
+          "motion_id = tap\nvalue lift-frames = 20\nlabel start\n"
+          "posture stand 1 lift-frames\ntransition allMotions extern start\n");
+    write(
+        "motions/kicks/pause.mof",
+        "motion_id = pause\nlabel start\nposture stand 1 9\ntransition allMotions extern start\n");
+    write("config/modules/SelfLocator.Kalman.cfg", "slip 0.25\ndrift 3\n");
+    write("config/modules.cfg", "SelfLocator Kalman\n");
+  }
+  std::string path() const { return folder_.path().string(); }
+
+ private:
+  void write(const std::string& name, const std::string& text) {
+    ASSERT_TRUE(writeFile((folder_.path() / name).string(), text));
+  }
+  TemporaryFolder folder_;
+};
+
+TEST(ChangedRoot, ChangesTheFilesOfATeam) {
+  const TeamOfOneKick team;
+  const std::string own = "motions.tap.lift-frames=71,SelfLocator.Kalman.slip=0.5";
+  EXPECT_EQ(errorOf(own), "motions.tap.lift-frames: there is no such motion");
+  const auto made = ChangedRoot::make(
+      {}, own + ",motions.pushStrong.ready-frames=71,SelfLocator=GT2003", team.path());
+  ASSERT_TRUE(made) << made.error().text();
+  const DataRoot root = (*made)->root();
+  const auto textOf = [&](const std::string& file) { return *readFile(root.path(file)); };
+  EXPECT_THAT((*made)->files(),
+              testing::IsSupersetOf({"motions/kicks/tap.mof", "motions/kicks/pushStrong.mof",
+                                     "config/modules/SelfLocator.Kalman.cfg"}));
+  EXPECT_THAT(textOf("motions/kicks/tap.mof"), testing::HasSubstr("value lift-frames = 71\n"));
+  EXPECT_EQ(textOf("config/modules/SelfLocator.Kalman.cfg"), "slip 0.5\ndrift 3\n");
+  const auto net = loadMotionNet(root.path("motions"));
+  ASSERT_TRUE(net) << net.error().text();
+  EXPECT_GE(net->find("tap"), 0);
+  const auto configuration = loadConfiguration(ConfigurationPaths::in(root));
+  ASSERT_TRUE(configuration) << configuration.error().text();
+  std::vector<std::string> locators;
+  for (const auto& choice : (*configuration)->solutions)
+    if (choice.task == "SelfLocator") locators.push_back(choice.solution);
+  ASSERT_FALSE(locators.empty());
+  EXPECT_EQ(locators.back(), "GT2003") << "the team's choice counts, and is the changed one";
+  const auto named = [&](const std::string& file) {
+    return (*made)->named({.file = root.path(file), .what = "wrong"}).file;
+  };
+  EXPECT_EQ(named("config/modules.team.cfg"), "config/modules.team.cfg") << "it is a changed one";
+  EXPECT_EQ(named("motions/kicks/pause.mof"), team.path() + "/motions/kicks/pause.mof");
+  EXPECT_EQ(named("config/log.cfg"), "config/log.cfg") << "the project's";
+  EXPECT_THAT(ChangedRoot::make({}, "", "nobody").error().text(),
+              testing::HasSubstr("nobody: is no team"));
 }
 
 TEST(ChangedRoot, RefusesWhatDoesNotExist) {

@@ -273,7 +273,7 @@ Result<Measurement> measureGrid(const Job& job, const DataRoot& root) {
 
 Parameter kickTeamParameter() {
   Parameter parameter = teamParameter("team");
-  parameter.description = "whose kicks: " + parameter.description;
+  parameter.description = "whose kicks, and values: " + parameter.description;
   return parameter;
 }
 

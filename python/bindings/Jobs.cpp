@@ -2,6 +2,7 @@
 
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/unique_ptr.h>
 #include <nanobind/stl/vector.h>
 
 #include <new>
@@ -17,7 +18,7 @@
 #include "experiments/Tournament.h"
 #include "measure/RunJobs.h"
 #include "robot/ProjectVersion.h"
-#include "streams/File.h"
+#include "robot/TeamFolder.h"
 #include "streams/Json.h"
 
 namespace gt::python {
@@ -97,15 +98,6 @@ std::vector<std::string> mergeResults(const std::vector<std::string>& files,
   return texts(warnings);
 }
 
-/// The files that have other values, relative to the root, and their content.
-auto changedFiles(const std::string& values) {
-  const auto changed = orThrow(ChangedRoot::make(findRoot(""), values));
-  std::vector<std::pair<std::string, std::string>> files;
-  for (const std::string& name : changed->files())
-    files.emplace_back(name, orThrow(readFile(changed->root().path(name))));
-  return files;
-}
-
 }  // namespace
 
 void bindJobs(nb::module_& module) {
@@ -122,7 +114,19 @@ void bindJobs(nb::module_& module) {
       "_check_json",
       [](const std::string& text, const std::string& file) { orThrow(parseJson(text, file)); },
       "text"_a, "file"_a);
-  module.def("_changed_files", &changedFiles, "values"_a);
+  nb::class_<ChangedRoot>(module, "_ChangedRoot",
+                          "A data root with other values, and with a team's files.")
+      .def_prop_ro("path", [](const ChangedRoot& changed) { return changed.root().path(""); })
+      .def_prop_ro("files", &ChangedRoot::files);
+  module.def(
+      "_changed_root",
+      [](const std::string& values, const std::string& team) {
+        return orThrow(ChangedRoot::make(findRoot(""), values, team));
+      },
+      "values"_a, "team"_a);
+  module.def(
+      "_team_version",
+      [](const std::string& team) { return orThrow(teamVersion(team, findRoot(""))); }, "team"_a);
   module.def("_merge_results", &mergeResults, "files"_a, "jobs"_a, "json"_a, "note"_a);
   nb::class_<OutputLock>(module, "_OutputLock", "Keeps a folder for what one program writes.")
       .def(

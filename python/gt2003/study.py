@@ -13,9 +13,9 @@ import os
 import re
 import tomllib
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import closing
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any
 
@@ -56,23 +56,22 @@ class StudyParameter:
             return math.log(bounded / self.low) / math.log(self.high / self.low)
         return (bounded - self.low) / (self.high - self.low)
 
-    def old(self) -> float:
-        """Return the value of the configuration, or of a motion, as it is."""
+    def old(self, root: str = "") -> float:
+        """Return the value of a root's configuration, or of its motion, as it is."""
         if self.path.startswith("motions."):
-            return self._of_motion()
+            return self._of_motion(root or _core._data_path(""))
         task, _, rest = self.path.partition(".")
         solution, _, path = rest.partition(".")
         if task not in modules.solutions() or solution not in modules.solutions()[task]:
             raise Error("expected TASK.SOLUTION.PATH of a parameter", field=self.path)
-        value = getattr(modules, task)(solution).get(path)
+        value = getattr(modules, task)(solution, root=root).get(path)
         if isinstance(value, bool) or not isinstance(value, (int, float)):
             raise Error("is not a number", field=self.path)
         return float(value)
 
-
-    def _of_motion(self) -> float:
+    def _of_motion(self, root: str) -> float:
         _, motion, value = (*self.path.split(".", 2), "", "")[:3]
-        for file in Path(_core._data_path("motions")).rglob(f"{motion}.mof"):
+        for file in Path(root, "motions").rglob(f"{motion}.mof"):
             found = re.search(rf"^value\s+{re.escape(value)}\s+=\s+(-?\d+)", file.read_text(), re.MULTILINE)
             if found:
                 return float(found[1])
@@ -115,6 +114,17 @@ class Study:
     step: float = 0.2  # first standard deviation, as a share of the ranges
     seed: int = 1
     file: str = field(default="", compare=False)
+
+    def changed(self, values: Mapping[str, float]) -> _core._ChangedRoot:
+        """Return the files of the project, or of the job's team, with other values."""
+        teams = [word.removeprefix("team=") for word in self.job.split() if word.startswith("team=")]
+        text = ",".join(f"{path}={value:g}" for path, value in values.items())
+        return _core._changed_root(text, teams[-1] if teams else "GT2003")
+
+    def old(self) -> dict[str, float]:
+        """Return the values of the parameters as they are."""
+        root = self.changed({})
+        return {p.path: p.old(root.path) for p in self.parameter}
 
 
 def _made(kind: Any, table: object, file: str, where: str) -> Any:
@@ -162,8 +172,7 @@ def load(path: str | os.PathLike[str]) -> Study:
         raise Error(error.strerror or "cannot be read", file) from None
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise Error(str(error), file) from None
-    study: Study = _made(Study, {**table}, file, "")
-    object.__setattr__(study, "file", file)
+    study: Study = replace(_made(Study, table, file, ""), file=file)
 
     def check(good: bool, name: str, what: str) -> None:
         if not good:
@@ -184,12 +193,15 @@ def load(path: str | os.PathLike[str]) -> Study:
     try:
         for seeds in (study.seeds, study.test_seeds):
             jobs.select(seeds, [study.job.split()[0]])
+        tests = tuple(replace(test, settings=tuple(_fixed(test.settings))) for test in study.test)
+        study = replace(study, job=" ".join(_fixed(study.job.split())), test=tests)
         for test in study.test:
             _job(study, 1, {}, test.settings)
-        for p in study.parameter:
-            p.old()
+        study.old()
     except (Error, IndexError) as error:
-        raise Error(getattr(error, "what", "expected a job"), file, field=getattr(error, "field", "job")) from None
+        where = getattr(error, "file", "") and f"{error.file}: "
+        what = where + getattr(error, "what", "expected a job")
+        raise Error(what, file, field=getattr(error, "field", "") or "job") from None
     overlap = set(_seeds(study.seeds)) & set(_seeds(study.test_seeds))
     check(not overlap, "test_seeds", "are among the others")
     check(len(_seeds(study.seeds)) >= 2 * study.most_repetitions, "seeds", "are too few for two sets of most_repetitions")
@@ -199,6 +211,16 @@ def load(path: str | os.PathLike[str]) -> Study:
 def _seeds(text: str) -> range:
     first, _, last = text.partition("..")
     return range(int(first), int(last or first) + 1)
+
+
+def _fixed(settings: Iterable[str]) -> list[str]:
+    """Return settings whose teams have their files' fingerprints: results are those of these files."""
+    fixed = []
+    for setting in settings:
+        name, _, value = setting.partition("=")
+        is_team = name in ("team", "red", "blue") and "@" not in value
+        fixed.append(f"{name}={_core._team_version(value)}" if is_team else setting)
+    return fixed
 
 
 def _job(study: Study, seed: int, values: Mapping[str, float], settings: Sequence[str] = ()) -> str:
@@ -313,7 +335,8 @@ def _search(study: Study, laboratory: _Laboratory) -> tuple[dict[str, float], li
             import cma
     except ModuleNotFoundError:
         raise Error("a study needs pycma: pip install 'gt2003[study]'") from None
-    start = [p.place(p.old()) for p in study.parameter]
+    old = study.old()
+    start = [p.place(old[p.path]) for p in study.parameter]
     options = {"seed": study.seed, "popsize": study.population, "bounds": [0, 1], "verbose": -9, "verb_log": 0}
     search = cma.CMAEvolutionStrategy(start, study.step, options)
     noise = cma.NoiseHandler(
@@ -366,7 +389,7 @@ def _compare(study: Study, laboratory: _Laboratory, new: Mapping[str, float]) ->
 
 def _weigh(study: Study, laboratory: _Laboratory, new: Mapping[str, float]) -> list[Importance]:
     seeds = _seeds(study.test_seeds)
-    old = {p.path: p.old() for p in study.parameter}
+    old = study.old()
     versions = [new] + [{**new, path: value} for path, value in old.items()]
     measured = laboratory.measure([_job(study, seed, v) for v in versions for seed in seeds])
     costs = np.reshape([laboratory.cost(figures) for figures in measured], (len(versions), len(seeds)))
@@ -391,11 +414,11 @@ def _run(study: Study, out: Path, who: Processes | Ray) -> list[Comparison]:
     new, history = _search(study, laboratory)
     comparisons = _compare(study, laboratory, new)
     importance = _weigh(study, laboratory, new)
-    text = ",".join(f"{path}={value:g}" for path, value in new.items())
-    for name, content in _core._changed_files(text):
+    changed = study.changed(new)
+    for name in changed.files:
         file = out / name
         file.parent.mkdir(parents=True, exist_ok=True)
-        _files.write(file, content)
+        _files.write(file, Path(changed.path, name).read_text())
     told = {
         "title": study.title,
         "jobs": laboratory.jobs,

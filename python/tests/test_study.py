@@ -91,6 +91,60 @@ def test_values_change_a_job() -> None:
         mean("SelfLocator.Kalman.slop=1")
 
 
+KICK = """
+title = "A team's kick"
+job = "motion.kick kick=tap team={team} x=140 y=-60 direction=0 balls=1"
+seeds = "1..8"
+test_seeds = "31"
+generations = 1
+population = 4
+repetitions = 1
+most_repetitions = 1
+
+[[parameter]]
+path = "motions.tap.lift-frames"
+low = 10
+high = 60
+whole = true
+
+[[figure]]
+name = "motion.kick.tap.ahead"
+aim = "high"
+
+[[test]]
+name = "as it is"
+"""
+
+
+def test_a_study_changes_the_kick_of_a_team(tmp_path: Path) -> None:
+    team = tmp_path / "tapping"
+    (team / "motions/kicks").mkdir(parents=True)
+    kick = team / "motions/kicks/tap.mof"
+    kick.write_text(
+        "motion_id = tap\nvalue lift-frames = 25\nlabel start\n"
+        "posture stand 1 lift-frames\ntransition allMotions extern start\n"
+    )
+    file = tmp_path / "tap.toml"
+    file.write_text(KICK.format(team=team))
+    assert study.load(file).old() == {"motions.tap.lift-frames": 25}
+    told = command(file, "--out", tmp_path / "out")
+    assert told.returncode == 0, told.stderr
+    found = json.loads((tmp_path / "out/study.json").read_text())["new"]["motions.tap.lift-frames"]
+    assert f"value lift-frames = {found:g}\n" in (tmp_path / "out/motions/kicks/tap.mof").read_text()
+    assert "value lift-frames = 25\n" in kick.read_text(), "the team's own file is as it was"
+
+    # Results are those of the team's files as they were.
+    before = study.load(file).job
+    assert f" team={team}@" in before
+    assert before.split()[2] in (tmp_path / "out/results.jsonl").read_text()
+    kick.write_text(kick.read_text().replace("stand 1", "stand 2"))
+    assert study.load(file).job != before
+
+    file.write_text(KICK.format(team="nobody"))
+    with pytest.raises(gt2003.Error, match="nobody: is no team"):
+        study.load(file)
+
+
 @pytest.mark.parametrize("file", sorted(STUDIES.glob("*.toml")), ids=lambda file: file.name)
 def test_the_studies_of_the_project_can_be_read(file: Path) -> None:
     loaded = study.load(file)

@@ -38,7 +38,7 @@ void askAll(std::string_view text, unsigned line, unsigned character) {
   server.publish();
   for (const std::string_view method :
        {"completion", "definition", "references", "documentHighlight", "hover", "prepareRename",
-        "rename", "documentSymbol", "formatting"})
+        "rename", "documentSymbol", "foldingRange", "semanticTokens/full", "formatting"})
     server.handle(
         R"({"id":2,"method":"textDocument/)" + std::string(method) +
         R"(","params":{"textDocument":{"uri":"file:///a.xabsl"},"newName":"other","context":{"includeDeclaration":true},"position":{"line":)" +

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 
@@ -8,7 +9,9 @@
 #include "framework/Description.h"
 #include "framework/Requests.h"
 #include "network/RobotList.h"
+#include "network/RouterSettings.h"
 #include "representations/modeling/RobotPose.h"
+#include "streams/File.h"
 #include "support/ProgramFolder.h"
 #include "support/TestViewer.h"
 #include "support/TestWire.h"
@@ -126,6 +129,56 @@ TEST_F(RouterProgramsTest, TheRobotsOfTwoRoutersPlayAsATeam) {
   first.kill();
   first.start();
   EXPECT_TRUE(playAsATeam());
+}
+
+/// Strangers that come again and again neither hold up the team nor keep out a tool that has the
+/// key, and the router's statistics say who was not let in.
+TEST_F(RouterProgramsTest, AFloodOfWrongKeysKeepsNoToolOut) {
+  ASSERT_TRUE(makeKeys(folder.file("theirs")));
+  const std::string statistics = folder.file("statistics");
+  std::vector<std::string> logged{"/bin/sh", "-c", "exec \"$0\" \"$@\" >" + statistics};
+  const auto words = command({"127.0.0", "11", "12", "--routers"}, firstPort);
+  logged.insert(logged.end(), words.begin(), words.end());
+  ChildProgram first{logged}, second{command({"127.0.0", "21", "22", "--join",
+                                              "tcp://127.0.0.1:" + std::to_string(firstPort + 299)},
+                                             secondPort)};
+  ASSERT_TRUE(playAsATeam());
+
+  Network strangers, friends;
+  std::vector<std::unique_ptr<ToolConnection>> flood;
+  const Keys theirs = *loadKeys(folder.file("theirs/tool.key"));
+  const auto endpoint = [&](int number) {
+    return "tcp://127.0.0.1:" + std::to_string(firstPort + number);
+  };
+  for (int i = 0; i < 200; ++i)
+    flood.push_back(*ToolConnection::open(strangers, endpoint(i % 3 == 0 ? routersPort : 11),
+                                          i % 2 == 0 ? std::optional{theirs} : std::nullopt));
+  const auto tool =
+      *ToolConnection::open(friends, endpoint(11), *loadKeys(folder.file("keys/tool.key")));
+  MessageQueue ignored;
+  const auto all = [&] {
+    friends.wait(0);
+    tool->update(ignored);
+    answer(0);
+  };
+  EXPECT_TRUE(eventually([&] { return tool->connected(); }, all));
+  EXPECT_TRUE(playAsATeam());
+  // Each is refused, again and again.
+  const auto isRefused = [](const auto& stranger) { return !stranger->trouble().empty(); };
+  EXPECT_TRUE(eventually([&] { return std::ranges::all_of(flood, isRefused); }, all));
+  EXPECT_TRUE(tool->connected());
+  EXPECT_TRUE(playAsATeam());
+  EXPECT_TRUE(first.runs());
+  first.kill(SIGTERM);
+  EXPECT_TRUE(WIFEXITED(first.status()) && WEXITSTATUS(first.status()) == 0);
+  const std::string report = *readFile(statistics);
+  for (const char* port : {"127.0.0.11: ", "other routers: "}) {
+    const std::size_t line = report.rfind(port);
+    ASSERT_NE(line, report.npos) << report;
+    EXPECT_NE(report.substr(line, report.find('\n', line) - line).find(describe(Refusal::wrongKey)),
+              report.npos)
+        << report;
+  }
 }
 
 TEST_F(RouterProgramsTest, ViewersSeeRobotsElsewhere) {

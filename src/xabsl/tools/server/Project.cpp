@@ -39,6 +39,14 @@ Position Lines::position(Location location) const {
   return position;
 }
 
+Position Lines::position(std::size_t offset) const {
+  const auto next = std::upper_bound(begins_.begin(), begins_.end(), offset);
+  Position position{static_cast<int>(next - begins_.begin()) - 1, 0};
+  for (const char c : text_.substr(0, offset).substr(*(next - 1)))
+    if (!continuesLetter(c)) position.character += unitsOf(c);
+  return position;
+}
+
 Location Lines::location(Position position, int file) const {
   Location location{file, std::max(position.line, 0) + 1, 1};
   int units = 0;

@@ -28,6 +28,8 @@ class Lines {
 
   std::string_view line(int line) const;
   Position position(Location location) const;
+  /// Of a byte of the text.
+  Position position(std::size_t offset) const;
   Location location(Position position, int file) const;
   /// The byte of the text at a position.
   std::size_t offset(Position position) const;

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 #include "xabsl/formats/Formatter.h"
@@ -37,9 +36,6 @@ int kindOf(Completion::Kind kind) {  // CompletionItemKind
   }
 }
 
-bool isBefore(Location a, Location b) {
-  return std::tie(a.line, a.column) < std::tie(b.line, b.column);
-}
 }  // namespace
 
 /// Where a request points: the project, and what is named there, if anything is.
@@ -197,60 +193,6 @@ Json Server::rename(const Json& parameters) {
     if (diagnostic.severity == Diagnostic::Severity::error)
       return refuse(requestFailed, diagnostic.message);
   return {{"changes", changes}};
-}
-
-Json Server::documentSymbols(const Json& parameters) {
-  const std::string path = pathOf(parameters.at("textDocument").at("uri").get<std::string>());
-  const Project& project = projectOf(path);
-  const int file = project.file(path);
-  Json result = Json::array();
-  if (file < 0) return result;
-  const Lines& lines = project.lines(file);
-  // While one types, a declaration may have no name yet.
-  const auto symbol = [&](const syntax::Declaration& declaration, int kind, const char* word) {
-    Location end = declaration.name.location;
-    end.column += static_cast<int>(declaration.name.text.size());
-    const Position begin = lines.position(declaration.name.location);
-    // In XML only the begin of an element is known.
-    const Location last = isBefore(declaration.extent.end, end) ? end : declaration.extent.end;
-    const std::string name{declaration.name.text};
-    return Json{{"name", name.empty() ? "<" + std::string{word} + ">" : name},
-                {"kind", kind},
-                {"range", range(lines.position(declaration.extent.begin), lines.position(last))},
-                {"selectionRange", range(begin, lines.position(end))},
-                {"children", Json::array()}};
-  };
-  const auto addAll = [&](const auto& list, int kind, int space, Json& to) {
-    for (const auto& declaration : list)
-      if (declaration.name.location.file == file && declaration.space == space)
-        to.push_back(symbol(declaration, kind, ""));
-  };
-  const syntax::Program& program = project.program();
-  for (std::size_t i = 0; i < program.namespaces.size(); ++i) {
-    if (program.namespaces[i].name.location.file != file) continue;
-    Json space = symbol(program.namespaces[i], 3, "namespace");
-    const int index = static_cast<int>(i);
-    addAll(program.enumerations, 10, index, space["children"]);
-    addAll(program.symbols, 13, index, space["children"]);
-    addAll(program.constants, 14, index, space["children"]);
-    addAll(program.behaviors, 12, index, space["children"]);
-    result.push_back(std::move(space));
-  }
-  for (const syntax::Option& option : program.options) {
-    if (option.name.location.file != file) continue;
-    Json entry = symbol(option, 5, "option");
-    for (const syntax::State& state : option.states)
-      entry["children"].push_back(symbol(state, 24, "state"));
-    result.push_back(std::move(entry));
-  }
-  addAll(program.agents, 19, -1, result);
-  const auto begin = [](const Json& entry) {
-    const Json& start = entry["range"]["start"];
-    return std::pair{start["line"].get<int>(), start["character"].get<int>()};
-  };
-  std::sort(result.begin(), result.end(),
-            [&](const Json& a, const Json& b) { return begin(a) < begin(b); });
-  return result;
 }
 
 Json Server::formatting(const Json& parameters) {

@@ -115,6 +115,8 @@ Json Server::request(const std::string& method, const Json& parameters) {
       {"textDocument/prepareRename", &Server::prepareRename},
       {"textDocument/rename", &Server::rename},
       {"textDocument/documentSymbol", &Server::documentSymbols},
+      {"textDocument/foldingRange", &Server::foldingRanges},
+      {"textDocument/semanticTokens/full", &Server::semanticTokens},
       {"textDocument/formatting", &Server::formatting}};
   if (shutDown_) return refuse(invalidRequest, "the server is shut down");
   if (method == "initialize") return initialize(parameters);
@@ -147,6 +149,8 @@ Json Server::initialize(const Json& parameters) {
             {"hoverProvider", true},
             {"renameProvider", {{"prepareProvider", true}}},
             {"documentSymbolProvider", true},
+            {"foldingRangeProvider", true},
+            {"semanticTokensProvider", {{"legend", semanticLegend()}, {"full", true}}},
             {"documentFormattingProvider", true}}},
           {"serverInfo", {{"name", "xabsl"}}}};
 }
@@ -211,6 +215,11 @@ std::string Server::rootOf(const std::string& path) {
     if (known->second.empty()) known->second = path;
   }
   return known->second;
+}
+
+/// Whether a file is one of a behavior: XML may be anything.
+bool Server::isOfBehavior(const std::string& path, const std::string& text) {
+  return !isForeign(text) || rootOf(path) != path;
 }
 
 Project& Server::projectOf(const std::string& path) {

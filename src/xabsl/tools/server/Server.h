@@ -70,6 +70,8 @@ class Server {
   Json prepareRename(const Json& parameters);
   Json rename(const Json& parameters);
   Json documentSymbols(const Json& parameters);
+  Json foldingRanges(const Json& parameters);
+  Json semanticTokens(const Json& parameters);
   Json formatting(const Json& parameters);
 
   Place placeOf(const Json& parameters);
@@ -78,6 +80,7 @@ class Server {
   std::string uriOf(const std::string& path) const;
   Project& projectOf(const std::string& path);
   std::string rootOf(const std::string& path);
+  bool isOfBehavior(const std::string& path, const std::string& text);
   FileReader reader() const;
   void publishFor(const Project& project, std::map<std::string, Json>& perFile) const;
   void sendDiagnostics(const std::string& uri, const Json& diagnostics);
