@@ -183,6 +183,29 @@ TEST_F(ReplayLog, RunsAnotherSolutionOnWhatWasRecorded) {
   EXPECT_TRUE(differs(*whole, "/MotionRequest"));
 }
 
+/// The configuration that the log's robot had, or one with another solution.
+TEST_F(ReplayLog, RunsAnotherConfigurationOnWhatWasRecorded) {
+  ReplayOptions options{path("play/red2.mcap")};
+  options.layout = "layouts/cmd.layout";
+  options.configuration = *loadConfiguration({});
+  expectTheSame(options, path("replayed.mcap"));
+  auto changed = std::make_shared<Configuration>(*options.configuration);
+  std::erase_if(changed->solutions,
+                [](const auto& choice) { return choice.task == "SelfLocator"; });
+  changed->solutions.push_back({"SelfLocator", "MonteCarlo", "", 0});
+  options.configuration = changed;
+  const auto other = replayLog(options, path("other.mcap"));
+  ASSERT_TRUE(other) << other.error().text();
+  EXPECT_TRUE(differs(*other, "/RobotPose"));
+  for (const char* topic : {"/OdometryData", "/MotionRequest", "/HeadControlMode", "/CameraMatrix"})
+    EXPECT_FALSE(differs(*other, topic)) << topic;
+  options.wholeRobot = true;
+  const auto whole = replayLog(options, path("other.mcap"));
+  ASSERT_TRUE(whole) << whole.error().text();
+  EXPECT_TRUE(differs(*whole, "/OdometryData"));
+  EXPECT_TRUE(differs(*whole, "/MotionRequest"));
+}
+
 /// The solution that the log's robot had, chosen again, computes all that it computed.
 TEST_F(ReplayLog, ComputesTheSameWithTheSolutionThatWasRecorded) {
   for (const char* task :
@@ -290,8 +313,6 @@ TEST_F(ReplayLog, ReplacesAFileOnceItIsWhole) {
   EXPECT_FALSE(std::filesystem::exists(copy + ".part"));
 }
 
-/// A log of another version, whose files this program does not read: one line names the file in the
-/// log, and with files of this program the log is replayed.
 TEST_F(ReplayLog, NamesTheLogThatCannotBeWritten) {
   const auto done = replayLog({path("play/red1.mcap")}, path("missing/new.mcap"));
   ASSERT_FALSE(done);
@@ -299,6 +320,8 @@ TEST_F(ReplayLog, NamesTheLogThatCannotBeWritten) {
             path("missing/new.mcap") + ": cannot be written: No such file or directory");
 }
 
+/// A log of another version, whose files this program does not read: one line names the file in the
+/// log, and with files of this program the log is replayed.
 TEST_F(ReplayLog, ReplaysOlderLogsWithOtherFiles) {
   const std::string log = path("play/red1.mcap"), older = path("older.mcap");
   auto setup = recordedSetup(*McapReader::open(log), log);

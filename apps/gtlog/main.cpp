@@ -185,8 +185,8 @@ void addReplay(CLI::App& command, Arguments& a) {
   command.add_option("--solution", a.solutions,
                      "Another solution of a task, on what was recorded: ImageProcessor=GT2003");
   command.add_flag("--whole-robot", a.wholeRobot,
-                   "With another solution the robot decides anew, too, and its odometry is that of "
-                   "another walk");
+                   "With another solution or configuration the robot decides anew, too, and its "
+                   "odometry is that of another walk");
   auto* within = command.add_option(
       "--within", a.tolerances,
       "How much numbers may differ, or inf for anything: RobotPose.pose.translation=5. Exit status "
@@ -198,8 +198,8 @@ void addReplay(CLI::App& command, Arguments& a) {
       ->excludes(out)
       ->excludes(within);
   command.add_option("--layout", a.layout, "Another process layout than the log's");
-  auto* config =
-      command.add_option("--config", a.config, "Another configuration folder than the log's");
+  auto* config = command.add_option(
+      "--config", a.config, "Another configuration folder than the log's, on what was recorded");
   command.add_option("--colors", a.colors, "Another color table than the folder's")->needs(config);
   command
       .add_flag("--nao2009-colors", a.naoColors, "Its classes are those of the real robot of 2009")

@@ -70,7 +70,7 @@ def complete(job: str) -> str:
 def read(file: str | os.PathLike[str]) -> list[str]:
     """Return the jobs that a file lists, one a line, completed and each once; # begins a comment."""
     try:
-        lines = Path(file).read_text().splitlines()
+        lines = Path(file).read_text(encoding="utf-8-sig").splitlines()
     except (OSError, UnicodeDecodeError) as error:
         raise Error(getattr(error, "strerror", None) or "is not text", str(file)) from None
     jobs: dict[str, None] = {}
@@ -123,7 +123,7 @@ def results(file: str | os.PathLike[str]) -> list[str]:
     if os.fspath(file).endswith(".parquet"):
         return _parquet.read(file)
     try:
-        text = Path(file).read_text()
+        text = Path(file).read_text(encoding="utf-8-sig")
     except (OSError, UnicodeDecodeError) as error:
         raise Error(getattr(error, "strerror", None) or "is not text", str(file)) from None
     lines = []

@@ -254,7 +254,7 @@ class _Laboratory:
         return [self._values.get(job) for job in todo]
 
     def _read(self) -> None:
-        for line in self._results.path.read_text().splitlines():
+        for line in self._results.path.read_text(encoding="utf-8-sig").splitlines():
             try:
                 result = _json.parse(line)
             except Error:

@@ -71,7 +71,7 @@ def jobs(teams: Iterable[str], seeds: str = "1..10", settings: Iterable[str] = (
 def games(file: str | os.PathLike[str]) -> list[Game]:
     """Return the matches whose results a file holds, in the order of their jobs. Half a line is passed over."""
     try:
-        text = Path(file).read_text()
+        text = Path(file).read_text(encoding="utf-8-sig")
     except OSError as error:
         raise Error(error.strerror or "cannot be read", str(file)) from None
     played: dict[str, Game] = {}

@@ -136,6 +136,16 @@ def test_results_become_parquet_and_back(expected: Path, tmp_path: Path) -> None
     assert list(row["value"]) == [first["value"]] and dict(row["parameters"].iloc[0])["minutes"] == "0.05"
 
 
+def test_files_are_read_as_other_machines_write_them(expected: Path, tmp_path: Path) -> None:
+    def rewritten(name: str) -> Path:
+        text = (expected / name).read_bytes().replace(b"\n", b"\r\n")
+        (tmp_path / name).write_bytes(b"\xef\xbb\xbf" + text)
+        return tmp_path / name
+
+    assert jobs.read(rewritten("jobs")) == jobs.read(expected / "jobs")
+    assert jobs.results(rewritten("results.jsonl")) == jobs.results(expected / "results.jsonl")
+
+
 def test_wrong_parquet_is_told(expected: Path, tmp_path: Path) -> None:
     file = tmp_path / "results.parquet"
     with pytest.raises(gt2003.Error, match="results.parquet: there is no such file"):

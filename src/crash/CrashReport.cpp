@@ -4,6 +4,7 @@
 #include <cstring>
 #include <optional>
 
+#include "base/Lines.h"
 #include "base/Number.h"
 
 namespace gt {
@@ -13,7 +14,7 @@ constexpr std::string_view heading = "gt2003 crash report 1";
 /// Far beyond what is written: a guard against garbage.
 constexpr std::size_t mostLines = 20'000;
 
-std::string_view takeWord(std::string_view& text) {
+std::string_view takePart(std::string_view& text) {
   const auto end = std::min(text.find(' '), text.size());
   const auto word = text.substr(0, end);
   text.remove_prefix(std::min(end + 1, text.size()));
@@ -33,9 +34,9 @@ bool set(N& to, const auto& number) {
 
 bool addModule(std::string_view text, CrashReport& report) {
   CrashModule module;
-  const bool good = set(module.base, hex(takeWord(text))) &&
-                    set(module.begin, hex(takeWord(text))) && set(module.end, hex(takeWord(text)));
-  module.buildId = takeWord(text);
+  const bool good = set(module.base, hex(takePart(text))) &&
+                    set(module.begin, hex(takePart(text))) && set(module.end, hex(takePart(text)));
+  module.buildId = takePart(text);
   if (module.buildId == "-") module.buildId.clear();
   const bool isHex = module.buildId.find_first_not_of("0123456789abcdef") == std::string::npos;
   module.path = text;
@@ -44,7 +45,7 @@ bool addModule(std::string_view text, CrashReport& report) {
 }
 
 bool addStack(std::string_view text, CrashReport& report) {
-  const auto begin = hex(takeWord(text));
+  const auto begin = hex(takePart(text));
   if (!begin || text.size() % 2 != 0) return false;
   if (report.stack.empty()) report.stackBegin = *begin;
   if (*begin != report.stackBegin + report.stack.size()) return false;
@@ -57,7 +58,7 @@ bool addStack(std::string_view text, CrashReport& report) {
 }
 
 bool addRegister(std::string_view text, CrashReport& report) {
-  const auto name = takeWord(text);
+  const auto name = takePart(text);
   const auto value = hex(text);
   if (name.empty() || !value) return false;
   report.registers.emplace_back(name, *value);
@@ -68,7 +69,7 @@ bool addRegister(std::string_view text, CrashReport& report) {
 bool readLine(std::string_view key, std::string_view text, CrashReport& report) {
   if (key == "program") return report.program = text, true;
   if (key == "signal") {
-    const bool good = set(report.signalNumber, numberFrom<int>(takeWord(text)));
+    const bool good = set(report.signalNumber, numberFrom<int>(takePart(text)));
     return report.signal = text, good;
   }
   if (key == "code") return set(report.code, numberFrom<int>(text));
@@ -108,20 +109,20 @@ std::vector<std::uint64_t> CrashReport::callStack() const {
 
 Result<CrashReport> parseCrashReport(std::string_view text, const std::string& file) {
   CrashReport report;
-  for (int line = 1; !text.empty(); ++line) {
-    const auto end = text.find('\n');
-    std::string_view row = text.substr(0, end);
-    const bool cutOff = end == text.npos;
-    text.remove_prefix(cutOff ? text.size() : end + 1);
+  LineReader lines{text};
+  while (const auto whole = lines.next()) {
+    std::string_view row = *whole;
+    const bool cutOff = row.data() + row.size() == text.data() + text.size();
     const auto wrong = [&](std::string what) {
-      return Error{.file = file, .line = line, .what = std::move(what)};
+      return Error{.file = file, .line = lines.number(), .what = std::move(what)};
     };
-    if (line == 1) {
+    if (lines.number() == 1) {
       if (row != heading) return wrong("is no crash report");
       continue;
     }
-    if (static_cast<std::size_t>(line) > mostLines) return wrong("the report is too long");
-    const auto key = takeWord(row);
+    if (static_cast<std::size_t>(lines.number()) > mostLines)
+      return wrong("the report is too long");
+    const auto key = takePart(row);
     if (!readLine(key, row, report) && !cutOff)
       return wrong("expected a line of a crash report, not " + std::string{key.substr(0, 40)});
   }

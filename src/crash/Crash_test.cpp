@@ -174,6 +174,17 @@ TEST_F(Crash, DoesNotTakeAnotherProgramForTheOneThatCrashed) {
   EXPECT_THAT(symbolizer.missing().front().text(), HasSubstr("its build id differs"));
 }
 
+TEST_F(Crash, ReadsReportsAsOtherMachinesWriteThem) {
+  const CrashReport whole = crash(crashChild(), "segv", SIGSEGV);
+  std::string other = "\xEF\xBB\xBF";
+  for (const char c : text()) other += c == '\n' ? "\r\n" : std::string(1, c);
+  const auto report = parseCrashReport(other, "mailed.txt");
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_TRUE(report->complete);
+  EXPECT_EQ(report->signal, whole.signal);
+  EXPECT_EQ(report->frames, whole.frames);
+}
+
 TEST_F(Crash, ReadsReportsThatAreCutOffOrBroken) {
   const CrashReport whole = crash(crashChild(), "segv", SIGSEGV);
   ASSERT_GT(whole.frames.size(), 2u);

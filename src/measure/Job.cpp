@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "base/Lines.h"
 #include "base/Number.h"
 #include "streams/Json.h"
 
@@ -54,17 +55,17 @@ Result<Job> parseJob(std::string_view line) {
 }
 
 Result<std::vector<Job>> parseJobs(std::string_view text, const std::string& sourceName) {
-  std::istringstream lines{std::string{text}};
   std::vector<Job> jobs;
-  int number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    const auto begin = line.find_first_not_of(" \t\r");
-    if (begin == line.npos || line[begin] == '#') continue;
+  LineReader lines{text};
+  while (const auto whole = lines.next()) {
+    const std::string_view line = trimmed(*whole);
+    if (line.empty() || line.front() == '#') continue;
     auto job = parseJob(line);
     if (!job)
-      return Error{
-          .file = sourceName, .line = number, .field = job.error().field, .what = job.error().what};
+      return Error{.file = sourceName,
+                   .line = lines.number(),
+                   .field = job.error().field,
+                   .what = job.error().what};
     jobs.push_back(*std::move(job));
   }
   return jobs;

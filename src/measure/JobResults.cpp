@@ -9,6 +9,7 @@
 #include <set>
 #include <system_error>
 
+#include "base/Lines.h"
 #include "streams/File.h"
 
 namespace gt {
@@ -69,19 +70,16 @@ void JobResultWriter::close() {
 Result<void> JobResults::read(const std::string& path) {
   const auto text = readFile(path);
   if (!text) return text.error();
-  int number = 0;
-  for (std::size_t begin = 0; begin < text->size();) {
-    const auto end = std::min(text->find('\n', begin), text->size());
-    const std::string_view line = std::string_view{*text}.substr(begin, end - begin);
-    begin = end + 1;
-    ++number;
-    if (line.empty()) continue;
-    auto result = parseJobResult(line);
+  LineReader lines{*text};
+  while (const auto line = lines.next()) {
+    if (line->empty()) continue;
+    auto result = parseJobResult(*line);
     if (result)
       results.push_back(*std::move(result));
     else
-      warnings.push_back(
-          {.file = path, .line = number, .what = "is not a whole result, so it is dropped"});
+      warnings.push_back({.file = path,
+                          .line = lines.number(),
+                          .what = "is not a whole result, so it is dropped"});
   }
   return {};
 }

@@ -102,6 +102,18 @@ TEST(JobResults, AFileIsContinuedBehindALineThatIsNotWhole) {
   EXPECT_FALSE(read.read("/nowhere"));
 }
 
+TEST(JobResults, AreReadAsOtherMachinesWriteThem) {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "results.jsonl").string();
+  const JobResults all = seeds(3);
+  ASSERT_TRUE(writeFile(path, "\xEF\xBB\xBF" + all.results[0].text() + "\r\n\r\n" +
+                                  all.results[1].text() + "\r\n" + all.results[2].text()));
+  JobResults read;
+  ASSERT_TRUE(read.read(path));
+  EXPECT_EQ(read.results.size(), 3u);
+  EXPECT_TRUE(read.warnings.empty());
+}
+
 TEST(JobResults, MissingJobsAreThoseWithoutAResult) {
   const JobResults some = seeds(2);
   std::vector<Job> jobs;

@@ -37,6 +37,13 @@ TEST(Job, AListIsLinesWithRemarks) {
             "list:2: x: expected NAME=VALUE");
 }
 
+TEST(Job, ListsAreReadAsOtherMachinesWriteThem) {
+  const auto plain = parseJobs("match seed=1\n# remark\nmatch seed=2\n", "list");
+  const auto other = parseJobs("\xEF\xBB\xBFmatch seed=1\r\n\t# remark\r\nmatch seed=2", "list");
+  ASSERT_TRUE(other) << other.error().text();
+  EXPECT_EQ(*other, *plain);
+}
+
 TEST(JobResult, IsOneLineThatReadsBackToTheBit) {
   JobResult result{*parseJob("match minutes=10 seed=7 commit=abc"), {}};
   result.measurement.add("match.error", "mm", 0.1 + 0.2, Aim::atMost(150));

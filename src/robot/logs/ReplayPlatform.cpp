@@ -136,6 +136,7 @@ Result<void> ReplayPlatform::chooseSetup(const ReplayOptions& options) {
   setup_.seed = recorded_.seed;
   setup_.address = recorded_.address;
   if (options.configuration) setup_.configuration = options.configuration;
+  otherFiles_ = options.configuration && !recorded_.files.empty();
   if (!options.layout.empty()) {
     auto layout = loadLayout(options.layout);
     if (!layout) return layout.error();
@@ -285,7 +286,7 @@ bool ReplayPlatform::disableFor(const Task& task, std::vector<const Representati
 /// Has the log stand for what the robot decided, and for what was made of decisions that were not
 /// recorded, as far as that was.
 void ReplayPlatform::takeDecisions() {
-  if (chosen_.empty() || wholeRobot_) return;
+  if ((chosen_.empty() && !otherFiles_) || wholeRobot_) return;
   std::vector<const Task*> tasks;
   for (const Plan::Process& process : robot_->plan().processes)
     for (const Plan::Step& step : process.order) tasks.push_back(step.task);

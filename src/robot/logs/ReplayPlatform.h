@@ -23,14 +23,14 @@ constexpr const char* beginsWithProgram = "begins with";
 /// How a log is replayed; by default as it was recorded.
 struct ReplayOptions {
   std::string log;
-  /// Another configuration than the log's own, where it has one.
+  /// Another configuration than the log's own, where it has one. It runs on what was recorded: what
+  /// the robot decided comes from the log, since its body did that.
   std::shared_ptr<const Configuration> configuration{};
   std::string layout{};  ///< Another layout; needed where the log has none.
-  /// Other solutions of tasks. They run on what was recorded: what the robot decided comes from the
-  /// log, since its body did that.
+  /// Other solutions of tasks. They run on what was recorded, too.
   std::vector<Configuration::SolutionChoice> solutions{};
-  /// With other solutions, the robot decides anew, too. Its odometry is then that of a walk which
-  /// the recorded sensors never saw.
+  /// With another configuration or other solutions, the robot decides anew, too. Its odometry is
+  /// then that of a walk which the recorded sensors never saw.
   bool wholeRobot = false;
   /// Called with what of the log is damaged or cannot be read.
   std::function<void(const Error&)> warn{};
@@ -119,6 +119,7 @@ class ReplayPlatform {
   std::vector<std::optional<Channel>> channels_;  ///< By the channels' ids.
   std::vector<Configuration::SolutionChoice> solutions_;
   std::set<std::string> chosen_;  ///< Tasks with another solution than the log's.
+  bool otherFiles_ = false;       ///< Than those in the log.
   bool wholeRobot_ = false;
   std::vector<std::string> caveats_;
   std::vector<const RepresentationType*> watched_;

@@ -325,10 +325,7 @@ std::string declaredEncoding(std::string_view text) {
 }  // namespace
 
 bool isXml(std::string_view text) {
-  constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
-  if (text.substr(0, byteOrderMark.size()) == byteOrderMark)
-    text.remove_prefix(byteOrderMark.size());
-  return trimmed(text).substr(0, 1) == "<";
+  return trimmed(withoutByteOrderMark(text)).starts_with('<');
 }
 
 bool toUtf8(std::string& text) {

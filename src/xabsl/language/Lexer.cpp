@@ -60,11 +60,11 @@ std::string describe(const Token& token) {
 
 Lexer::Lexer(int file, std::string_view text, Reporter& reporter,
              std::vector<syntax::Comment>* comments, Dialect dialect)
-    : text_(text), reporter_(reporter), comments_(comments), dialect_(dialect) {
+    : text_(withoutByteOrderMark(text)),
+      reporter_(reporter),
+      comments_(comments),
+      dialect_(dialect) {
   location_.file = file;
-  constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
-  if (text_.substr(0, byteOrderMark.size()) == byteOrderMark)
-    text_.remove_prefix(byteOrderMark.size());
 }
 
 Token Lexer::next() {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "xabsl/formats/Sources.h"
+#include "xabsl/language/Text.h"
 #include "xabsl/tools/trace/TraceFile.h"
 
 namespace xabsl {
@@ -16,7 +17,8 @@ constexpr std::string_view firstLine = "xabsl trace 1";
 /// Reads traces line by line; stops at the first that is wrong.
 class TraceReader {
  public:
-  TraceReader(const std::string& name, std::string_view text) : name_(name), text_(text) {}
+  TraceReader(const std::string& name, std::string_view text)
+      : name_(name), text_(withoutByteOrderMark(text)) {}
 
   TraceReading read() {
     TraceReading reading;

@@ -102,6 +102,17 @@ TEST_F(TraceTest, IsTheSameAfterWritingAndReading) {
   }
 }
 
+TEST_F(TraceTest, IsReadAsOtherMachinesWriteIt) {
+  play();
+  const Trace trace = recorded();
+  std::string other = "\xEF\xBB\xBF";
+  for (const char c : toText(trace.subject) + toText(trace.events))
+    other += c == '\n' ? "\r\n" : std::string(1, c);
+  const TraceReading reading = readTraces("a.trace", other);
+  ASSERT_EQ(test::errors(reading.diagnostics), "");
+  EXPECT_EQ(reading.traces.at(0).events, trace.events);
+}
+
 TEST_F(TraceTest, IsReadInParts) {
   play();
   const Trace trace = recorded();
