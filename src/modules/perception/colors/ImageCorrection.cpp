@@ -9,12 +9,12 @@
 namespace gt {
 namespace {
 
-constexpr int carpetStep = 6;        // Pixels between those that are looked at.
+constexpr int carpetStep = 8;        // Pixels between those that are looked at.
 constexpr double wellBelow = 8;      // Pixels below the horizon: what is there is ground, mostly.
-constexpr int fewestGreen = 40;      // Pixels of an image that show carpet, to learn from it.
+constexpr int fewestGreen = 24;      // Pixels of an image that show carpet, to learn from it.
 constexpr double greenMemory = 0.9;  // The share of what was learned that an image leaves.
 constexpr double lightRate = 0.3;    // With which the brightness follows.
-constexpr double steadying = 20;     // Pixels in the corners that would show no cast.
+constexpr double steadying = 12;     // Pixels in the corners that would show no cast.
 constexpr double mostCast = 40;      // Of cb and cr.
 constexpr double leastCast = 4;      // Less is not worth a correction,
 constexpr double leastGain = 0.2;    // nor is so little light (the logarithm of the gain).
