@@ -188,29 +188,30 @@ const std::vector<AimOf> visionAims{{"ball.found", Aim::atLeast(98)},
                                     {"players.color", Aim::atLeast(99)},
                                     {"freeGround.notOverestimated", Aim::atLeast(99)}};
 
-/// A robot's part of vision.
+/// Vision of some robots. Each has a body of its own, and learns in play how old its images are.
 struct Eyes {
   Eyes(Processor processor, std::size_t robots)
-      : sensorDataProcessors(robots), imageProcessor{std::move(processor)} {}
+      : sensorDataProcessors(robots), percepts(robots), imageProcessor{std::move(processor)} {}
 
-  std::vector<DefaultSensorDataProcessor> sensorDataProcessors;  ///< Each robot has a body.
+  std::vector<DefaultSensorDataProcessor> sensorDataProcessors;
+  std::vector<FoundPercepts> percepts;
   Processor imageProcessor;
   OdometryData odometry;
   CameraMatrix matrix;
   BodyPercept body;
   PsdPercept psd;
-  FoundPercepts percepts;
 
   void look(const GameView& view, bool trueCamera) {
+    FoundPercepts& found = percepts[view.robot];
     // Twice, to know how the robot walks.
     for (const Time time : {Time{view.image.time.ms - tickMs}, view.image.time}) {
       odometry.pose = odometry.pose * view.step;
       sensorDataProcessors[view.robot].update(
           {time}, view.sensors, view.image, RobotDimensions{}, RobotCalibration{}, MotionInfo{},
-          odometry, Previous<LandmarksPercept>{percepts.landmarks}, matrix, body, psd);
+          odometry, Previous<LandmarksPercept>{found.landmarks}, matrix, body, psd);
     }
     if (trueCamera) matrix = view.camera;
-    imageProcessor(view.image, matrix, percepts);
+    imageProcessor(view.image, matrix, found);
   }
 };
 
@@ -258,14 +259,19 @@ Result<Tally> comparePercepts(const Condition& condition, const DataRoot& root,
   Tally tally;
   Eyes eyes{condition.processor(colors), views->world().activeRobots()};
   const int moments = std::max(1, static_cast<int>(job.number("moments") * condition.share));
+  const bool trueCamera = job.parameter("camera") == "true";
   for (int i = 0; i < moments; ++i) {
     views->shuffle();
+    // The image before tells a robot where its flags were.
+    for (std::size_t robot = 0; robot < views->world().activeRobots(); ++robot)
+      eyes.look(views->look(robot, scene.camera), trueCamera);
+    views->waitForImage();
     for (std::size_t robot = 0; robot < views->world().activeRobots(); ++robot) {
       const GameView& view = views->look(robot, scene.camera);
-      eyes.look(view, job.parameter("camera") == "true");
+      eyes.look(view, trueCamera);
       truth.look(view);
       measures.compareSensors(views->world().robot(robot), eyes.matrix, eyes.body, tally);
-      measures.comparePercepts(eyes.percepts, eyes.matrix, tally);
+      measures.comparePercepts(eyes.percepts[robot], eyes.matrix, tally);
       tally.count("pictures", true);
     }
   }

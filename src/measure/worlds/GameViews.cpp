@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "modules/motion/control/DefaultMotionControl.h"
 #include "streams/Config.h"
 
 namespace gt {
@@ -37,22 +38,28 @@ class GameViews::Body : public RobotController {
       output.joints.angles = stance;
       step = {};
     }
-    output.joints.angles[Joint::headTilt] = headTilt;
-    output.joints.angles[Joint::headPan] = headPan;
+    // As fast as motion control lets a head turn.
+    const auto turn = [](double& angle, double wanted, double speed) {
+      return angle += std::clamp(wanted - angle, -speed * tickSeconds, speed * tickSeconds);
+    };
+    const DefaultMotionControl::Parameters most;
+    output.joints.angles[Joint::headTilt] = turn(tilt_, headTilt, most.headTiltSpeed);
+    output.joints.angles[Joint::headPan] = turn(pan_, headPan, most.headPanSpeed);
     output.joints.angles[Joint::headRoll] = 0;
     output.odometry.pose = output.odometry.pose * step;
   }
 
   bool walks = false;
-  Pose2D speed;        ///< mm/s, rad/s: if it walks.
-  JointAngles stance;  ///< rad: of the legs, if it stands.
-  double headTilt = 0, headPan = 0;
-  Pose2D step;  ///< Of the last tick.
+  Pose2D speed;                      ///< mm/s, rad/s: if it walks.
+  JointAngles stance;                ///< rad: of the legs, if it stands.
+  double headTilt = 0, headPan = 0;  ///< rad, where the head turns to.
+  Pose2D step;                       ///< Of the last tick.
 
  private:
   InvKinWalkingEngine engine_;
   WalkingEngineOutput walk_;
   MotionInfo motion_;
+  double tilt_ = 0, pan_ = 0;  ///< rad, where the head is told to be.
 };
 
 Result<GameViews> GameViews::make(const DataRoot& root, const SceneDescription& scene,
@@ -139,8 +146,14 @@ void GameViews::shuffle() {
     body->headTilt = random_.uniform(-0.9, 0.25);
     body->headPan = random_.uniform(-1.5, 1.5);
   }
-  // Heads are still on their way in some of the images.
-  run(SensorDataBuffer::capacity + random_.index(40));
+  // Heads are still on their way in some of the images: it takes them up to a second.
+  constexpr std::size_t second = 125;  // ticks
+  run(SensorDataBuffer::capacity + random_.index(second));
+}
+
+void GameViews::waitForImage() {
+  constexpr std::size_t period = 5;  // ticks
+  run(period);
 }
 
 void GameViews::run(std::size_t ticks) {

@@ -34,6 +34,8 @@ class GameViews {
 
   /// Puts everything somewhere else and lets robots walk and heads turn for a while.
   void shuffle();
+  /// Lets all go on until cameras deliver the next image.
+  void waitForImage();
   /// What a robot sees now. The reference is valid until the next call.
   const GameView& look(std::size_t robot, const CameraEffects& effects);
   const World& world() const { return simulation_->world(); }

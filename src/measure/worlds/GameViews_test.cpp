@@ -101,7 +101,7 @@ std::uint64_t fingerprintOf(const SceneDescription& scene) {
       const SensorData& sensors = view.sensors.newest();
       sum.add(sensors.joints.values.data(), enumCount<Joint>);
       sum.add(sensors.acceleration.data(), 3);
-      sum.add(sensors.psd);
+      for (const SensorData& frame : view.sensors.frames) sum.add(frame.psd);
     }
   }
   return sum.value();
