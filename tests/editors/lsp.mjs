@@ -90,6 +90,12 @@ const xmlOutline = await connection.sendRequest(rpc.DocumentSymbolRequest.type, 
 assert.ok(xmlOutline.some(({ name }) => name === "move-around"));
 const xmlFolds = () => connection.sendRequest(rpc.FoldingRangeRequest.type, { textDocument: { uri: moveAround } });
 const wholeFolds = await xmlFolds();
+// The last state is named nowhere but in this file; the first one also as the initial one, of which the server knows no place.
+const renameInXml = (piece) => ask(rpc.RenameRequest.type, at(moveAroundText, piece), moveAround, { newName: "over" });
+const over = await renameInXml('<state name="done');
+assert.deepEqual(over.changes[moveAround].map(({ range }) => moveAroundText.split("\n")[range.start.line].slice(range.start.character, range.end.character)),
+  Array(moveAroundText.split('"done"').length - 1).fill("done"));
+await assert.rejects(renameInXml('<state name="go'), /unknown state 'go'/);
 open(moveAround, moveAroundText.replace("</state>", "</stat"));
 const openOutline = await connection.sendRequest(rpc.DocumentSymbolRequest.type, { textDocument: { uri: moveAround } });
 const namesOf = (list) => list.map(({ name, children }) => [name, namesOf(children)]);
