@@ -88,6 +88,19 @@ open(moveAround, moveAroundText);
 await until(moveAround, (list) => list.every(({ severity }) => severity > 1));
 const xmlOutline = await connection.sendRequest(rpc.DocumentSymbolRequest.type, { textDocument: { uri: moveAround } });
 assert.ok(xmlOutline.some(({ name }) => name === "move-around"));
+const xmlFolds = () => connection.sendRequest(rpc.FoldingRangeRequest.type, { textDocument: { uri: moveAround } });
+const wholeFolds = await xmlFolds();
+// The last state is named nowhere but in this file; the first one also as the initial one, of which the server knows no place.
+const renameInXml = (piece) => ask(rpc.RenameRequest.type, at(moveAroundText, piece), moveAround, { newName: "over" });
+const over = await renameInXml('<state name="done');
+assert.deepEqual(over.changes[moveAround].map(({ range }) => moveAroundText.split("\n")[range.start.line].slice(range.start.character, range.end.character)),
+  Array(moveAroundText.split('"done"').length - 1).fill("done"));
+await assert.rejects(renameInXml('<state name="go'), /unknown state 'go'/);
+open(moveAround, moveAroundText.replace("</state>", "</stat"));
+const openOutline = await connection.sendRequest(rpc.DocumentSymbolRequest.type, { textDocument: { uri: moveAround } });
+const namesOf = (list) => list.map(({ name, children }) => [name, namesOf(children)]);
+assert.deepEqual(namesOf(openOutline), namesOf(xmlOutline), "while an end tag is typed");
+assert.ok(wholeFolds.length > 3 && (await xmlFolds()).length >= wholeFolds.length - 1);
 const foreign = uriOf("foreign.xml");
 open(foreign, "<project/>");
 await until(foreign, (list) => list.length === 0);
@@ -138,6 +151,26 @@ for (const newName of ["begin", "goto", "two words", ""])
 const outline = await connection.sendRequest(rpc.DocumentSymbolRequest.type, { textDocument: { uri: kick } });
 assert.deepEqual(outline.map(({ name }) => name), ["kick"]);
 assert.deepEqual(outline[0].children.map(({ name }) => name), ["begin", "going_on", "done"]);
+const folds = await connection.sendRequest(rpc.FoldingRangeRequest.type, { textDocument: { uri: kick } });
+assert.ok(folds.some(({ startLine }) => startLine === at(text, "state going_on").line));
+
+// Colors by meaning, also beside a line that is being typed.
+const { legend } = capabilities.semanticTokensProvider;
+const colors = async (source) => {
+  change(source);
+  const { data } = await connection.sendRequest(rpc.SemanticTokensRequest.type, { textDocument: { uri: kick } });
+  const lines = source.split("\n"), found = [];
+  for (let i = 0, line = 0, character = 0; i < data.length; i += 5) {
+    character = data[i + 1] + (data[i] === 0 ? character : 0);
+    line += data[i];
+    found.push(`${lines[line].slice(character, character + data[i + 2])} ${legend.tokenTypes[data[i + 3]]}`);
+  }
+  return found;
+};
+for (const source of [text, text.replace("goto going_on;", "goto ")])
+  for (const name of ["kick class", "going_on event", "id parameter", "motion.special_action variable", "stand function"])
+    assert.ok((await colors(source)).includes(name), name);
+change(text);
 const options = { tabSize: 2, insertSpaces: true };
 assert.deepEqual(await connection.sendRequest(rpc.DocumentFormattingRequest.type, { textDocument: { uri: kick }, options }), []);
 change(text.replaceAll("  ", "\t"));

@@ -214,6 +214,16 @@ TEST(Outline, HasTheExtentOfElements) {
   EXPECT_EQ(option["children"][2]["kind"], 24);
 }
 
+/// What the time depends on is the text, not the text times its longest line.
+TEST(Outline, IsMadeOfOneLongLine) {
+  constexpr int many = 20'000;
+  std::string text = "<option xmlns=\"http://www.ki.informatik.hu-berlin.de/XABSL2.1\" name=\"a\">";
+  for (int i = 0; i < many; ++i) text += "<state name=\"b\"/>";
+  OpenText open{text};
+  EXPECT_EQ(open.outline()[0]["children"].size(), std::size_t{many});
+  EXPECT_EQ(open.ask("textDocument/foldingRange", OutlineJson::object()), OutlineJson::array());
+}
+
 /// Editors send all files of XML.
 TEST(Outline, IsEmptyForXmlOfAnotherLanguage) {
   OpenText page{"<html>\n<option name=\"a\">\n</option>\n</html>"};

@@ -15,11 +15,43 @@ int unitsOf(char c) {
   return static_cast<unsigned char>(c) >= 0xF0u ? 2 : 1;
 }
 
+constexpr std::size_t bytesOfACount = 256;
+
 }  // namespace
 
+void Lines::Count::add(char c) {
+  if (continuesLetter(c)) return;
+  ++letters;
+  units += unitsOf(c);
+}
+
 Lines::Lines(std::string_view text) : text_(text), begins_{0} {
-  for (std::size_t i = 0; i < text.size(); ++i)
+  Count count;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (i % bytesOfACount == 0) counts_.push_back(count);
     if (text[i] == '\n') begins_.push_back(i + 1);
+    count.add(text[i]);
+  }
+  counts_.push_back(count);
+}
+
+Lines::Count Lines::countBefore(std::size_t offset) const {
+  offset = std::min(offset, text_.size());
+  const std::size_t block = std::min(offset / bytesOfACount, counts_.size() - 1);
+  Count count = counts_[block];
+  for (const char c : text_.substr(0, offset).substr(block * bytesOfACount)) count.add(c);
+  return count;
+}
+
+/// The byte where a letter begins, counted from 0 over the whole text.
+std::size_t Lines::offsetOfLetter(int letter) const {
+  const auto next = std::ranges::upper_bound(counts_, letter, {}, &Count::letters);
+  const auto block = static_cast<std::size_t>(next - counts_.begin()) - 1;
+  std::size_t offset = std::min(block * bytesOfACount, text_.size());
+  int letters = counts_[block].letters;
+  for (; offset < text_.size(); ++offset)
+    if (!continuesLetter(text_[offset]) && letters++ == letter) break;
+  return offset;
 }
 
 std::string_view Lines::line(int line) const {
@@ -29,22 +61,17 @@ std::string_view Lines::line(int line) const {
 }
 
 Position Lines::position(Location location) const {
-  Position position{std::max(location.line - 1, 0), 0};
-  int column = 1;
-  for (const char c : line(position.line)) {
-    if (continuesLetter(c)) continue;
-    if (column++ >= location.column) break;
-    position.character += unitsOf(c);
-  }
-  return position;
+  const int line = std::max(location.line - 1, 0);
+  if (static_cast<std::size_t>(line) >= begins_.size()) return {line, 0};
+  const std::size_t begin = begins_[xabsl::at(line)], end = begin + this->line(line).size();
+  const int letter = countBefore(begin).letters + std::max(location.column - 1, 0);
+  return position(std::min(offsetOfLetter(letter), end));
 }
 
 Position Lines::position(std::size_t offset) const {
   const auto next = std::upper_bound(begins_.begin(), begins_.end(), offset);
-  Position position{static_cast<int>(next - begins_.begin()) - 1, 0};
-  for (const char c : text_.substr(0, offset).substr(*(next - 1)))
-    if (!continuesLetter(c)) position.character += unitsOf(c);
-  return position;
+  return {static_cast<int>(next - begins_.begin()) - 1,
+          countBefore(offset).units - countBefore(*(next - 1)).units};
 }
 
 Location Lines::location(Position position, int file) const {

@@ -27,8 +27,8 @@ class Lines {
   explicit Lines(std::string_view text);
 
   std::string_view line(int line) const;
+  /// Of a letter, or of a byte of the text: fast, also in a text that is one long line.
   Position position(Location location) const;
-  /// Of a byte of the text.
   Position position(std::size_t offset) const;
   Location location(Position position, int file) const;
   /// The byte of the text at a position.
@@ -36,8 +36,18 @@ class Lines {
   Position end() const;
 
  private:
+  /// What stands before a byte of the text.
+  struct Count {
+    int letters = 0, units = 0;
+    void add(char c);
+  };
+
+  Count countBefore(std::size_t offset) const;
+  std::size_t offsetOfLetter(int letter) const;
+
   std::string_view text_;
   std::vector<std::size_t> begins_;
+  std::vector<Count> counts_;  ///< each so many bytes
 };
 
 /// A behavior, analyzed as far as it is sound, with all that editors ask about it.

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <functional>
+#include <tuple>
 #include <utility>
 
 #include "xabsl/formats/Formatter.h"
@@ -170,14 +172,21 @@ Json Server::rename(const Json& parameters) {
   std::vector<const Reference*> places;
   for (const Reference& reference : place.project.references())
     if (reference.entity == entity) places.push_back(&reference);
-  std::sort(places.begin(), places.end(),
-            [](const Reference* a, const Reference* b) { return a->text.data() > b->text.data(); });
-  for (const Reference* reference :
-       places) {  // the last first, so that the others stay where they are
+  // The last first, so that the others stay where they are.
+  std::ranges::sort(places, std::ranges::greater{}, [](const Reference* reference) {
+    const Location& place = reference->location;
+    return std::tuple{place.file, place.line, place.column};
+  });
+  for (const Reference* reference : places) {
     const syntax::File& file = place.project.program().files[at(reference->location.file)];
     std::string& text = texts.emplace(file.path, file.text).first->second;
-    text.replace(static_cast<std::size_t>(reference->text.data() - file.text.data()),
-                 reference->text.size(), name);
+    const Lines& lines = place.project.lines(reference->location.file);
+    const std::size_t offset = lines.offset(lines.position(reference->location));
+    // In XML a name may be written with blanks around it, or with entities.
+    if (text.compare(offset, reference->text.size(), reference->text) != 0)
+      return refuse(requestFailed, inQuotes(reference->text) + " is written otherwise in " +
+                                       file.path + ":" + std::to_string(reference->location.line));
+    text.replace(offset, reference->text.size(), name);
     changes[uriOf(file.path)].push_back(
         {{"range", rangeOf(place.project, *reference)}, {"newText", name}});
   }
