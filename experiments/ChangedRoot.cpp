@@ -78,13 +78,13 @@ std::string changedText(const std::string& text, const std::map<std::string, std
   std::string changed;
   for (const auto& [name, value] : values) changed.append(name).append(" " + value + "\n");
   std::string section;
-  std::istringstream lines{text};
-  for (std::string line; std::getline(lines, line);) {
-    const std::string_view content = withoutComment(line);
+  LineReader lines{text};
+  while (const auto line = lines.next()) {
+    const std::string_view content = withoutComment(*line);
     if (content.starts_with('['))
       section = std::string{trimmed(content.substr(1, content.find(']') - 1))} + '.';
     const std::string name{content.substr(0, content.find_first_of(" \t="))};
-    if (!values.contains(section + name)) changed += line + '\n';
+    if (!values.contains(section + name)) changed.append(*line) += '\n';
   }
   return changed;
 }
@@ -128,15 +128,15 @@ Result<void> changeMotion(const fs::path& root, const std::string& name,
   if (!text) return text.error();
   std::string changed;
   std::size_t found = 0;
-  std::istringstream lines{*text};
-  for (std::string line; std::getline(lines, line); changed += line + '\n') {
-    std::istringstream words{line};
+  LineReader lines{*text};
+  while (const auto line = lines.next()) {
+    std::istringstream words{std::string{*line}};
     std::string keyword, value;
     words >> keyword >> value;
     const auto other = values.find(value);
-    if (keyword != "value" || other == values.end()) continue;
-    line = "value " + value + " = " + other->second;
-    ++found;
+    const bool isOther = keyword == "value" && other != values.end();
+    changed += (isOther ? "value " + value + " = " + other->second : std::string{*line}) + '\n';
+    found += isOther;
   }
   if (found < values.size()) return wrong(name, "has not all of the values");
   std::error_code ignored;  // then writing reports what is wrong

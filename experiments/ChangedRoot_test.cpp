@@ -37,6 +37,22 @@ TEST(ChangedRoot, HasOtherParametersAndSolutions) {
   EXPECT_EQ(std::ranges::count(choices, "SelfLocator", &Configuration::SolutionChoice::task), 1);
 }
 
+TEST(ChangedRoot, ReadsFilesAsOtherMachinesWriteThem) {
+  const auto first = ChangedRoot::make({}, "WalkingEngine.InvKin.normal.stepLen=51");
+  ASSERT_TRUE(first) << first.error().text();
+  const std::string file = (*first)->root().path("config/modules/WalkingEngine.InvKin.cfg");
+  const auto text = readFile(file);
+  ASSERT_TRUE(text) << text.error().text();
+  std::string other = "\xEF\xBB\xBF";
+  for (const char c : *text) other += c == '\n' ? "\r\n" : std::string(1, c);
+  ASSERT_TRUE(writeFile(file, other));
+  const auto second = ChangedRoot::make((*first)->root(), "WalkingEngine.InvKin.normal.stepLen=52");
+  ASSERT_TRUE(second) << second.error().text();
+  WalkTypes after;
+  ASSERT_TRUE(readConfig((*second)->root().path("config/modules/WalkingEngine.InvKin.cfg"), after));
+  EXPECT_EQ(after.normal.stepLen, 52);
+}
+
 TEST(ChangedRoot, HasMotionsWithOtherValues) {
   const auto made = ChangedRoot::make({}, "motions.pushStrong.ready-frames=71");
   ASSERT_TRUE(made) << made.error().text();

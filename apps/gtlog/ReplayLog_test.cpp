@@ -320,46 +320,65 @@ TEST_F(ReplayLog, NamesTheLogThatCannotBeWritten) {
             path("missing/new.mcap") + ": cannot be written: No such file or directory");
 }
 
+/// A log of an earlier commit's robot, with these files.
+void writeOlderLog(RecordedSetup setup, const std::string& path) {
+  setup.commit = "c1d31b9";
+  auto writer = RobotLog::open(path, {});
+  ASSERT_TRUE(writer) << writer.error().text();
+  attach(setup, writer->file());
+  SensorDataBuffer sensors;
+  for (int i = 1; i <= 100; ++i) {
+    for (SensorData& frame : sensors.frames) frame.time = Time{8 * i};
+    writer->writeInput(Time{8 * i}, sensors);
+  }
+  ASSERT_TRUE(writer->close());
+}
+
+/// Replaces a piece of a file in a log.
+void change(RecordedSetup& setup, const std::string& name, const std::string& from,
+            const std::string& to) {
+  const auto file = std::ranges::find(setup.files, name, &SetupFile::name);
+  ASSERT_NE(file, setup.files.end());
+  std::string text{file->content.begin(), file->content.end()};
+  const auto at = text.find(from);
+  ASSERT_NE(at, text.npos);
+  text.replace(at, from.size(), to);
+  file->content = {text.begin(), text.end()};
+}
+
 /// A log of another version, whose files this program does not read: one line names the file in the
 /// log, and with files of this program the log is replayed.
 TEST_F(ReplayLog, ReplaysOlderLogsWithOtherFiles) {
   const std::string log = path("play/red1.mcap"), older = path("older.mcap");
-  auto setup = recordedSetup(*McapReader::open(log), log);
-  ASSERT_TRUE(setup) << setup.error().text();
-  const std::string_view walk = "footMode 1\n";
-  const auto write = [&] {
-    auto writer = RobotLog::open(older, {});
-    ASSERT_TRUE(writer) << writer.error().text();
-    attach(*setup, writer->file());
-    SensorDataBuffer sensors;
-    for (int i = 1; i <= 100; ++i) {
-      for (SensorData& frame : sensors.frames) frame.time = Time{8 * i};
-      writer->writeInput(Time{8 * i}, sensors);
-    }
-    ASSERT_TRUE(writer->close());
+  const auto recorded = recordedSetup(*McapReader::open(log), log);
+  ASSERT_TRUE(recorded) << recorded.error().text();
+  const auto errorOf = [&](const RecordedSetup& setup) {
+    writeOlderLog(setup, older);
+    const auto refused = replayLog({older}, path("other.mcap"));
+    return refused ? "" : refused.error().text();
   };
-  setup->commit = "c1d31b9";
-  const std::vector<SetupFile> all = setup->files;
-  std::erase_if(setup->files,
+  RecordedSetup setup = *recorded;
+  std::erase_if(setup.files,
                 [](const SetupFile& f) { return f.name.find("getup") != std::string::npos; });
-  write();
-  const auto lacking = replayLog({older}, path("other.mcap"));
-  ASSERT_FALSE(lacking);
-  EXPECT_THAT(lacking.error().text(), testing::StartsWith(older + ": motions: getup"));
-  EXPECT_THAT(lacking.error().text(), HasSubstr("commit c1d31b9"));
-  setup->files = all;
-  const auto file =
-      std::ranges::find(setup->files, "config/modules/WalkingEngine.InvKin.cfg", &SetupFile::name);
-  ASSERT_NE(file, setup->files.end());
-  file->content = {walk.begin(), walk.end()};
-  write();
-  const auto refused = replayLog({older}, path("other.mcap"));
-  ASSERT_FALSE(refused);
-  EXPECT_THAT(
-      refused.error().text(),
-      testing::StartsWith(older + ": config/modules/WalkingEngine.InvKin.cfg:1: footMode: "));
-  EXPECT_THAT(refused.error().text(), HasSubstr("commit c1d31b9"));
-  EXPECT_THAT(refused.error().text(), testing::Not(HasSubstr("\n")));
+  const std::string lacking = errorOf(setup);
+  EXPECT_THAT(lacking, testing::StartsWith(older + ": motions: getup"));
+  EXPECT_THAT(lacking, HasSubstr("commit c1d31b9"));
+  // As in logs of 95922f2, whose behavior asks for a symbol that is gone: both places are in them.
+  setup = *recorded;
+  change(setup, "behavior/symbols/kick_symbols.xabsl", "float input kick.facing",
+         "bool input kick.reaches;\n  float input kick.facing");
+  change(setup, "behavior/options/ball/search_ball.xabsl", "ball.known.distance > 500",
+         "kick.reaches");
+  const std::string asks = errorOf(setup);
+  EXPECT_THAT(asks, testing::StartsWith(older + ": behavior/symbols/kick_symbols.xabsl:"));
+  EXPECT_THAT(asks, HasSubstr("search_ball (behavior/options/ball/search_ball.xabsl:"));
+  setup = *recorded;
+  change(setup, "config/modules/WalkingEngine.InvKin.cfg", "", "footMode 1\n");
+  const std::string refused = errorOf(setup);
+  EXPECT_THAT(refused, testing::StartsWith(
+                           older + ": config/modules/WalkingEngine.InvKin.cfg:1: footMode: "));
+  EXPECT_THAT(refused, HasSubstr("commit c1d31b9"));
+  EXPECT_THAT(refused, testing::Not(HasSubstr("\n")));
   ReplayOptions options{older};
   options.configuration = *loadConfiguration({});
   options.layout = "layouts/cmd.layout";

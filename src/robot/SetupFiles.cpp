@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "robot/Commit.h"
+#include "robot/FileNames.h"
 #include "streams/File.h"
 #include "streams/TemporaryFolder.h"
 
@@ -58,9 +59,9 @@ std::string nameInLog(const std::string& file, const fs::path& folder) {
   return within.empty() || *within.begin() == ".." ? file : within.generic_string();
 }
 
-Error named(Error error, const fs::path& folder) {
-  error.file = nameInLog(error.file, folder);
-  return error;
+Error named(const Error& error, const fs::path& folder) {
+  return withFileNames(error, folder,
+                       [&](const std::string& file) { return nameInLog(file, folder); });
 }
 
 /// What is wrong with a configuration may be found when a robot is made of it.

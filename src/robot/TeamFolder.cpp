@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <utility>
 #include <vector>
 
+#include "robot/FileNames.h"
 #include "robot/ProjectVersion.h"
 #include "robot/TeamProgram.h"
 #include "robot/TeamSolutions.h"
@@ -86,17 +88,14 @@ Result<std::unique_ptr<TeamFolder>> TeamFolder::open(const std::string& folder,
 }
 
 Error TeamFolder::named(Error error) const {
-  const fs::path within = fs::path{error.file}.lexically_relative(links_.path());
-  if (within.empty() || *within.begin() == "..") return error;
-  std::error_code failed;
-  const fs::path file = fs::read_symlink(error.file, failed);
-  if (failed) {
-    error.file = (fs::path{folder_} / within).string();
-    return error;
-  }
-  const fs::path shown = file.lexically_relative(fs::current_path());
-  error.file = (shown.empty() || *shown.begin() == ".." ? file : shown).string();
-  return error;
+  return withFileNames(std::move(error), links_.path(), [&](const std::string& path) {
+    std::error_code failed;
+    const fs::path file = fs::read_symlink(path, failed);
+    if (failed)
+      return (fs::path{folder_} / fs::path{path}.lexically_relative(links_.path())).string();
+    const fs::path shown = file.lexically_relative(fs::current_path());
+    return (shown.empty() || *shown.begin() == ".." ? file : shown).string();
+  });
 }
 
 std::string teamFolder(const std::string& team, const DataRoot& root) {

@@ -37,7 +37,8 @@ class TeamFolderTest : public ::testing::Test {
     const auto configuration = loadConfiguration((*opened)->paths());
     if (configuration) return "";
     std::string text = (*opened)->named(configuration.error()).text();
-    if (const auto at = text.find(team()); at != text.npos) text.replace(at, team().size(), "TEAM");
+    for (std::size_t at = 0; (at = text.find(team())) != text.npos;)
+      text.replace(at, team().size(), "TEAM");
     return text;
   }
 
@@ -111,6 +112,23 @@ TEST_F(TeamFolderTest, HasErrorsInItsOwnFiles) {
   write("behavior/GT2003.xabsl", "agent what\n");
   EXPECT_THAT(configurationError(),
               ::testing::ContainsRegex("^TEAM/behavior/GT2003.xabsl:[0-9]+:[0-9]+: "));
+}
+
+/// Also where a sentence names a second file.
+TEST_F(TeamFolderTest, NamesItsOwnFilesInSentences) {
+  const auto changed = [&](const std::string& file, std::string_view from, std::string_view to) {
+    std::string text = *readFile(file);
+    const auto at = text.find(from);
+    ASSERT_NE(at, text.npos);
+    write(file, text.replace(at, from.size(), to));
+  };
+  changed("behavior/symbols/kick_symbols.xabsl", "  float input kick.facing",
+          "  float input kick.nothing;\n  float input kick.facing");
+  changed("behavior/options/ball/search_ball.xabsl", "kick.time_since_last", "kick.nothing");
+  EXPECT_THAT(configurationError(),
+              ::testing::MatchesRegex(
+                  "TEAM/behavior/symbols/kick_symbols.xabsl:.*, needed by option "
+                  "search_ball .TEAM/behavior/options/ball/search_ball.xabsl:[0-9]+.*"));
 }
 
 TEST_F(TeamFolderTest, RefusesFoldersOfNoTeam) {

@@ -78,7 +78,12 @@ Result<OpenedLog> openLog(const std::string& file, const LogRobotOptions& option
   const auto configuration = naoConfiguration(file, options);
   if (!configuration) return configuration.error();
   auto opened = make(copy, *configuration, replay);
-  if (opened) opened->warnings = *left;
+  if (!opened) {
+    Error error = opened.error();
+    if (error.file == copy) error.file = file;
+    return error;
+  }
+  opened->warnings = *left;
   return opened;
 }
 
@@ -203,7 +208,11 @@ Result<void> LogRobot::goToTime(Time time, const RobotLink::Taker& take) {
 }
 
 std::optional<Error> LogRobot::takeWarning() {
-  if (warnings_.empty()) return platform_.takeWarning();
+  if (warnings_.empty()) {
+    auto warning = platform_.takeWarning();
+    if (warning && converted_) warning->file = file_;
+    return warning;
+  }
   Error warning = std::move(warnings_.front());
   warnings_.erase(warnings_.begin());
   return warning;

@@ -11,6 +11,9 @@
 #include <iterator>
 
 #include "base/Random.h"
+#include "robot/logs/LogRobot.h"
+#include "streams/File.h"
+#include "streams/TemporaryFolder.h"
 #include "support/TestLog.h"
 
 namespace gt {
@@ -105,6 +108,19 @@ TEST(NaoLog, TellsItsFilesFromOthers) {
   EXPECT_FALSE(is(std::string{"\x89MCAP0\r\n\1\x14\0\0\0\0\0\0\0", 17} + std::string(20, 'x')));
   EXPECT_FALSE(isNaoLog("no/such.log"));
   std::filesystem::remove(path);
+}
+
+/// A robot runs on it as on a log of ours, which it becomes in a temporary folder.
+TEST(NaoLog, IsNamedInErrorsOfItsRobot) {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "joints.log").string();
+  LogBuilder log;
+  for (int i = 0; i < 22; ++i) log.put(0.1);
+  log.put(std::uint32_t{5000}).end(5);
+  ASSERT_TRUE(writeFile(path, log.log()));
+  const auto robot = LogRobot::open(path, {});
+  ASSERT_FALSE(robot);
+  EXPECT_EQ(robot.error().text(), path + ": /input/: the log does not hold what its robot sensed");
 }
 
 TEST(NaoLog, NamesTheMessageThatIsWrong) {
