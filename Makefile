@@ -41,7 +41,7 @@ ifeq ($(MAKELEVEL),0)
 MAKEFLAGS += --jobs=2
 endif
 
-.PHONY: help packages-first environment test-packages install play film control pictures random-input play-remote robots chaos growth test python learners replay realism-page bench experiments mutants soak docs release try-release dependencies build packages format check-format lint verify verify-all test-changed build-times sanitize sanitize-python fuzz clean
+.PHONY: help packages-first environment test-packages install play film control pictures random-input play-remote robots chaos growth test python learners replay realism-page bench experiments lines mutants soak docs release try-release dependencies build packages format check-format lint verify verify-all test-changed build-times sanitize sanitize-python fuzz clean
 
 help:
 	@echo 'make play          plays a match of $(MINUTES) minutes and writes its report page ($(OUT)/report.html)'
@@ -60,6 +60,7 @@ help:
 	@echo 'make bench AGAINST=COMMIT compares what a match costs with another commit, in turns'
 	@echo 'make growth        measures how cost grows with players, pixels, particles, matches and logs: out/growth.json; one of them with ONLY=pixels'
 	@echo 'make experiments   measures accuracy over SEEDS=$(SEEDS): out/experiments.json, out/experiments.html; a group with ONLY=vision'
+	@echo 'make lines         counts lines of code: production, measuring, tests'
 	@echo 'make mutants       breaks the modules as tests/mutants/ lists and checks that their tests fail; MUTANTS=N breaks N places by chance, with SEED'
 	@echo 'make soak          plays matches under all that varies for HOURS simulated hours and watches faults, memory and speed: out/soak.json'
 	@echo 'make chaos         does a robot'"'"'s programs, their network and their disk COUNT=$(COUNT) faults of each kind and watches when all plays again: out/chaos.json'
@@ -190,6 +191,9 @@ endif
 experiments: TARGETS = --target experiment
 experiments: build
 	@$(BUILD)/bin/experiment --seeds $(SEEDS) $(if $(ONLY),--only $(ONLY)) --threads $(JOBS) --json out/experiments.json
+
+lines:
+	@scripts/lines
 
 mutants: TARGETS = --target gt_behavior_test gt_kinematics_test gt_modeling_test gt_motion_test gt_perception_test
 mutants: build
