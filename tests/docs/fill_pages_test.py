@@ -17,7 +17,7 @@ far
 | | mean | 95 % |
 | --- | --- | --- |
 | near | old | old |
-| kept | 1 | 2 |
+| kept | 1 | |
 | far | not measured | |
 | all | | |
 
