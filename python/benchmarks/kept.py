@@ -10,7 +10,7 @@ import json
 import math
 import re
 from collections.abc import Iterable
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 
 from gt2003 import Error, _files, _json, _tables
@@ -96,12 +96,19 @@ def read(path: Path) -> dict[str, Kept]:
 LINES = (("name", "value", "interval", "unit", "n", "worse"), ("command", "seconds", "commit"), ("seeds", "runs"))
 
 
+def _text(value: object) -> str:
+    """Return a value as JSON; whole numbers without a point."""
+    if isinstance(value, tuple):
+        return f"[{', '.join(map(_text, value))}]"
+    whole = isinstance(value, float) and value.is_integer() and abs(value) < 1e15
+    return json.dumps(int(value) if whole else value, ensure_ascii=False)  # type: ignore[call-overload]
+
+
 def text(figures: Iterable[Kept]) -> str:
     """Return the text of a file: ordered by names, a few lines each."""
     entries = []
     for figure in sorted(figures, key=lambda f: f.name):
-        values = asdict(figure)
-        lines = [", ".join(f"{json.dumps(n)}: {json.dumps(values[n], ensure_ascii=False)}" for n in names) for names in LINES]
+        lines = [", ".join(f'"{name}": {_text(getattr(figure, name))}' for name in names) for names in LINES]
         entries.append(" {" + ",\n  ".join(lines) + "}")
     return "[\n" + ",\n".join(entries) + "\n]\n" if entries else "[]\n"
 

@@ -146,6 +146,7 @@ def test_the_file_is_ordered_and_can_be_read_again(tmp_path: Path) -> None:
     assert kept.read(file) == {"a": other, "b": one}
     assert [figure["name"] for figure in json.loads(file.read_text())] == ["a", "b"]
     assert len(file.read_text().splitlines()) == 2 + 2 * 3
+    assert '"runs": [0.333333, 0.666667, 1000000000]}' in file.read_text()
     assert one.interval[0] < one.value < one.interval[1] and other.interval == ()
     assert kept.read(tmp_path / "none.json") == {}
 
