@@ -181,6 +181,7 @@ def run(given: argparse.Namespace) -> int:
     said = judge(rows)
     report(rows, said)
     if given.keep:
+        file = kept.read(given.file)  # others may have kept figures meanwhile
         kept.write(given.file, (file | {row.now.name: row.now for row in rows}).values())
         return 0
     return 1 if "worse" in said else 0

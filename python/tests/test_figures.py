@@ -346,6 +346,17 @@ def test_only_what_was_looked_at_is_measured_and_kept(project: Project) -> None:
     assert project.figures("--only", "wal") == (2, "", "figures: ONLY=wal: no figures begin with this")
 
 
+def test_what_others_keep_meanwhile_stays(project: Project) -> None:
+    project.figures("--keep")
+    other = kept.read(project.file)["size"]
+    sizes = project.file.read_text().replace("1000", "2000")
+    (project.folder / "build/meanwhile").write_text(sizes)
+    walker = (project.bin / "walker").read_text()
+    project.program("walker", walker + f"open({str(project.file)!r}, 'w').write(open({str(project.folder / 'build/meanwhile')!r}).read())\n")
+    assert project.figures("--only", "walk", "--keep")[0] == 0
+    assert other.value == 1000 and kept.read(project.file)["size"].value == 2000
+
+
 def test_a_tree_with_changes_is_not_kept(project: Project) -> None:
     project.figures("--keep")  # which changes the file of figures
     assert project.figures("--keep")[0] == 0
