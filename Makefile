@@ -194,9 +194,11 @@ experiments: build
 	@$(BUILD)/bin/experiment --seeds $(SEEDS) $(if $(ONLY),--only $(ONLY)) --threads $(JOBS) --json out/experiments.json
 
 # Seeds are those of python/benchmarks/measured.toml if none are named: SEEDS has a default of its own.
-figures: TARGETS = --target bench experiment simgt gt2003_python_package
+# Speed takes more to build, and is no part of the core set.
+WITH_SPEED = $(if $(CORE),,$(if $(ONLY),$(findstring speed,$(ONLY)),speed))
+figures: TARGETS = --target experiment gt2003_python_package $(if $(WITH_SPEED),bench simgt)
 figures: ENVIRONMENT = build/python
-figures: PACKAGES += $(BENCH)
+figures: PACKAGES += $(if $(WITH_SPEED),$(BENCH))
 figures: PACKAGES += $(if $(filter /usr/bin/python3,$(PYTHON)),$(PYTHONS))
 figures: build
 	@PYTHONPATH=$(BUILD)/python build/python/bin/python -B python/benchmarks/measure.py --build $(BUILD) $(if $(ONLY),--only $(ONLY)) \
@@ -324,6 +326,7 @@ verify: packages
 	@$(MAKE) --no-print-directory lint
 	@$(MAKE) --no-print-directory test-changed PRESET=asan
 	@$(MAKE) --no-print-directory build PRESET=clang TARGETS="--target simgt robotcontrol"
+	@$(MAKE) --no-print-directory build TARGETS="--target bench experiment"
 	@$(MAKE) --no-print-directory figures CORE=1
 
 verify-all:
