@@ -41,7 +41,7 @@ ifeq ($(MAKELEVEL),0)
 MAKEFLAGS += --jobs=2
 endif
 
-.PHONY: help packages-first environment test-packages install play film control pictures random-input play-remote robots chaos growth test python learners replay realism-page bench experiments mutants soak docs release try-release dependencies build packages format check-format lint verify verify-all test-changed build-times sanitize sanitize-python fuzz clean
+.PHONY: help packages-first environment test-packages install play film control pictures random-input play-remote robots chaos growth test python learners replay realism-page bench experiments figures lines mutants soak docs release try-release dependencies build packages format check-format lint verify verify-all test-changed build-times sanitize sanitize-python fuzz clean
 
 help:
 	@echo 'make play          plays a match of $(MINUTES) minutes and writes its report page ($(OUT)/report.html)'
@@ -60,6 +60,8 @@ help:
 	@echo 'make bench AGAINST=COMMIT compares what a match costs with another commit, in turns'
 	@echo 'make growth        measures how cost grows with players, pixels, particles, matches and logs: out/growth.json; one of them with ONLY=pixels'
 	@echo 'make experiments   measures accuracy over SEEDS=$(SEEDS): out/experiments.json, out/experiments.html; a group with ONLY=vision'
+	@echo 'make figures       measures the figures of docs/figures.json again and says which are better or worse; those that begin with ONLY=motion.walk,vision, the core set with CORE=1; KEEP=1 writes them into the file and into the pages'
+	@echo 'make lines         counts lines of code: production, measuring, tests'
 	@echo 'make mutants       breaks the modules as tests/mutants/ lists and checks that their tests fail; MUTANTS=N breaks N places by chance, with SEED'
 	@echo 'make soak          plays matches under all that varies for HOURS simulated hours and watches faults, memory and speed: out/soak.json'
 	@echo 'make chaos         does a robot'"'"'s programs, their network and their disk COUNT=$(COUNT) faults of each kind and watches when all plays again: out/chaos.json'
@@ -191,6 +193,21 @@ experiments: TARGETS = --target experiment
 experiments: build
 	@$(BUILD)/bin/experiment --seeds $(SEEDS) $(if $(ONLY),--only $(ONLY)) --threads $(JOBS) --json out/experiments.json
 
+# Seeds are those of python/benchmarks/measured.toml if none are named: SEEDS has a default of its own.
+# Speed takes more to build, and is no part of the core set.
+WITH_SPEED = $(if $(CORE),,$(if $(ONLY),$(findstring speed,$(ONLY)),speed))
+figures: TARGETS = --target experiment gt2003_python_package $(if $(WITH_SPEED),bench simgt)
+figures: ENVIRONMENT = build/python
+figures: PACKAGES += $(if $(WITH_SPEED),$(BENCH))
+figures: PACKAGES += $(if $(filter /usr/bin/python3,$(PYTHON)),$(PYTHONS))
+figures: build
+	@PYTHONPATH=$(BUILD)/python build/python/bin/python -B python/benchmarks/measure.py --build $(BUILD) $(if $(ONLY),--only $(ONLY)) \
+	  $(if $(CORE),--core) $(if $(filter file,$(origin SEEDS)),,--seeds $(SEEDS)) $(if $(KEEP),--keep)
+	@$(if $(KEEP),git ls-files 'docs/*.md' | xargs scripts/fill-pages docs/figures.json)
+
+lines:
+	@scripts/lines
+
 mutants: TARGETS = --target gt_behavior_test gt_kinematics_test gt_modeling_test gt_motion_test gt_perception_test
 mutants: build
 	@nice scripts/mutants $(BUILD) $(if $(MUTANTS),--sample $(MUTANTS) --seed $(SEED),tests/mutants/*.list) --jobs $(JOBS)
@@ -310,11 +327,12 @@ verify: packages
 	@$(MAKE) --no-print-directory test-changed PRESET=asan
 	@$(MAKE) --no-print-directory build PRESET=clang TARGETS="--target simgt robotcontrol"
 	@$(MAKE) --no-print-directory build TARGETS="--target bench experiment"
+	@$(MAKE) --no-print-directory figures CORE=1
 
 verify-all:
 	@$(MAKE) --no-print-directory lint SINCE=
 	@$(MAKE) --no-print-directory build PRESET=clang
-	@$(MAKE) --no-print-directory build TARGETS="--target bench experiment"
+	@$(MAKE) --no-print-directory figures
 	@$(MAKE) --no-print-directory sanitize sanitize-python fuzz mutants
 
 # Of an idle machine.

@@ -26,7 +26,6 @@ from pathlib import Path
 from figures import Figure, add, figure
 
 ROOT = Path(__file__).resolve().parents[2]
-SCENE = "scenes/match.scene"
 
 
 class Failure(Exception):
@@ -76,15 +75,17 @@ class Cost:
 class Program:
     tree: Path
     build: Path
+    scene: str = "scenes/match.scene"
+    profile: str = "benign"
 
     def play(self, seed: int, minutes: float, threads: int) -> Cost:
         """What a match takes, in seconds of the processor and of the clock."""
         simgt = self.build / "bin/simgt"
-        profile = ["--profile", "benign"] if "--profile" in run([simgt, "play", "--help"], self.tree) else []
+        profile = ["--profile", self.profile] if "--profile" in run([simgt, "play", "--help"], self.tree) else []
         with tempfile.TemporaryDirectory() as out:
             options = ["--seed", seed, "--minutes", minutes, "--threads", threads, "--no-logs", "--out", out]
             before, begin = processor_seconds(), time.perf_counter()
-            run([simgt, "play", SCENE, *profile, *map(str, options)], self.tree)
+            run([simgt, "play", self.scene, *profile, *map(str, options)], self.tree)
             return Cost(processor_seconds() - before, time.perf_counter() - begin)
 
 

@@ -1,4 +1,4 @@
-"""Figures as `bench` writes them."""
+"""Figures as `bench` writes them; those that are kept in docs/figures.json have more (kept.py)."""
 
 from __future__ import annotations
 
@@ -9,8 +9,10 @@ from pathlib import Path
 Figure = dict[str, object]
 
 
-def figure(name: str, unit: str, runs: list[float], aim: tuple[str, float] | None = None) -> Figure:
-    """A figure as `bench` writes it: the mean over its runs, and how these spread."""
+def figure(
+    name: str, unit: str, runs: list[float], aim: tuple[str, float] | None = None, seeds: list[int] | None = None
+) -> Figure:
+    """A figure as `bench` writes it: the mean over its runs, and how these spread. seeds: those of the runs, if they have some."""
     ordered = sorted(runs)
     value = statistics.fmean(runs)
     made: Figure = {
@@ -27,6 +29,8 @@ def figure(name: str, unit: str, runs: list[float], aim: tuple[str, float] | Non
         kind, limit = aim
         made["aim"] = limit
         made["met"] = value >= limit if kind == "at least" else value <= limit
+    if seeds is not None:
+        made["seeds"] = seeds
     return made | {"runs": runs}
 
 

@@ -8,25 +8,40 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike
 
-__all__ = ["ENOUGH", "around", "mean_interval", "seeds_for", "student", "too_few"]
+__all__ = ["ENOUGH", "around", "mean_interval", "outside", "seeds_for", "student", "too_few"]
 
 ENOUGH = 10  # seeds; with fewer the next ones may well turn the result round
 NORMAL = 1.959964  # 97.5 % of the normal distribution
 MOST = 100_000  # seeds that anybody would play
 
 
-def _inside(t: float, degrees: int) -> float:
-    """Return the chance that Student's t lies within -t and t: Abramowitz and Stegun, 26.7.3 and 26.7.4."""
-    angle = math.atan2(t, math.sqrt(degrees))
-    cosine = math.cos(angle)
-    term = cosine if degrees % 2 else 1.0
-    series = term if degrees > 1 else 0.0
-    for k in range(3 if degrees % 2 else 2, degrees - 1, 2):
-        term *= (k - 1) / k * cosine**2
-        series += term
-    if degrees % 2:
-        return 2 / math.pi * (angle + math.sin(angle) * series)
-    return math.sin(angle) * series
+def _fraction(a: float, b: float, x: float) -> float:
+    """Return the continued fraction of the incomplete beta function (Abramowitz and Stegun, 26.5.8), by Lentz's method."""
+    c, d = 1.0, 1 / (1 - (a + b) * x / (a + 1))
+    fraction = d
+    for m in range(1, 1000):
+        for factor in (
+            m * (b - m) * x / ((a + 2 * m - 1) * (a + 2 * m)),
+            -(a + m) * (a + b + m) * x / ((a + 2 * m) * (a + 2 * m + 1)),
+        ):
+            d = 1 / (1 + factor * d)
+            c = 1 + factor / c
+            fraction *= c * d
+        if abs(c * d - 1) < 1e-14:
+            break
+    return fraction
+
+
+def outside(t: float, degrees: float) -> float:
+    """Return the chance that Student's t lies outside of -t and t; the degrees of freedom need not be whole."""
+    if t == 0:
+        return 1.0
+    a, b, sum_ = degrees / 2, 0.5, degrees + t * t
+    x, rest = degrees / sum_, t * t / sum_
+    scale = math.exp(math.lgamma(a + b) - math.lgamma(a) - math.lgamma(b) + a * math.log(x) + b * math.log(rest))
+    if x < (a + 1) / (a + b + 2):
+        return scale * _fraction(a, b, x) / a
+    return 1 - scale * _fraction(b, a, rest) / b
 
 
 @lru_cache(maxsize=1024)
@@ -37,7 +52,7 @@ def student(degrees: int) -> float:
     low, high = 0.0, 13.0
     while high - low > 1e-9:
         middle = (low + high) / 2
-        low, high = (middle, high) if _inside(middle, degrees) < 0.95 else (low, middle)
+        low, high = (middle, high) if outside(middle, degrees) > 0.05 else (low, middle)
     return high
 
 

@@ -11,17 +11,15 @@ import json
 import math
 import os
 import re
-import tomllib
 import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import closing
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
-from . import _core, _files, _json, jobs, modules
+from . import _core, _files, _json, _tables, jobs, modules
 from ._error import Error
 from ._run import Results, do
 from ._intervals import mean_interval
@@ -127,52 +125,10 @@ class Study:
         return {p.path: p.old(root.path) for p in self.parameter}
 
 
-def _made(kind: Any, table: object, file: str, where: str) -> Any:
-    """Make a dataclass of a table; what is missing, unknown or of another type is an Error."""
-    if not isinstance(table, dict):
-        raise Error("expected a table", file, field=where)
-    prefix = f"{where}." if where else ""
-    known = {f.name: f for f in fields(kind) if f.name != "file"}
-    for name in table:
-        if name not in known:
-            raise Error(f"is unknown; expected one of: {', '.join(known)}", file, field=prefix + name)
-    nested = {"parameter": StudyParameter, "figure": StudyFigure, "test": StudyTest}
-    values: dict[str, Any] = {}
-    for name, f in known.items():
-        if name not in table:
-            if f.default is f.default_factory:  # both are missing
-                raise Error("is missing", file, field=prefix + name)
-            continue
-        value = table[name]
-        if name in nested and where == "":
-            if not isinstance(value, list) or not value:
-                raise Error(f"expected tables [[{name}]]", file, field=prefix + name)
-            value = tuple(_made(nested[name], v, file, f"{name} {i}") for i, v in enumerate(value, 1))
-        elif name == "settings":
-            if not isinstance(value, list) or not all(isinstance(v, str) for v in value):
-                raise Error("expected a list of NAME=VALUE", file, field=prefix + name)
-            value = tuple(value)
-        else:
-            expected = {"str": str, "int": int, "bool": bool, "float": (int, float)}[str(f.type)]
-            if not isinstance(value, expected) or isinstance(value, bool) != (expected is bool):
-                raise Error(f"expected {f.type}", file, field=prefix + name)
-            if isinstance(value, float) and not math.isfinite(value):
-                raise Error("expected a finite number", file, field=prefix + name)
-        values[name] = value
-    return kind(**values)
-
-
 def load(path: str | os.PathLike[str]) -> Study:
     """Read a study's file; an Error says what is wrong with it."""
     file = os.fspath(path)
-    try:
-        with open(file, "rb") as text:
-            table = tomllib.load(text)
-    except OSError as error:
-        raise Error(error.strerror or "cannot be read", file) from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise Error(str(error), file) from None
-    study: Study = replace(_made(Study, table, file, ""), file=file)
+    study: Study = replace(_tables.made(Study, _tables.load(file), file), file=file)
 
     def check(good: bool, name: str, what: str) -> None:
         if not good:

@@ -17,7 +17,7 @@ far
 | | mean | 95 % |
 | --- | --- | --- |
 | near | old | old |
-| kept | 1 | 2 |
+| kept | 1 | |
 | far | not measured | |
 | all | | |
 
@@ -36,9 +36,9 @@ class FillPages(unittest.TestCase):
         self.figures = pathlib.Path(folder.name, "figures.json")
         self.figures.write_text(json.dumps([{"name": name, "value": value} for name, value in FIGURES.items()]))
 
-    def fill(self, page):
+    def fill(self, page, *options):
         self.page.write_text(page)
-        return subprocess.run([SCRIPT, self.figures, self.page], capture_output=True, text=True, check=False)
+        return subprocess.run([SCRIPT, *options, self.figures, self.page], capture_output=True, text=True, check=False)
 
     def test_fills_what_was_measured_and_nothing_else(self):
         self.assertEqual(self.fill(PAGE).returncode, 0)
@@ -52,6 +52,14 @@ class FillPages(unittest.TestCase):
         filled = self.page.read_text()
         self.fill(filled)
         self.assertEqual(self.page.read_text(), filled)
+
+    def test_a_check_writes_nothing_and_tells_the_line(self):
+        run = self.fill(PAGE, "--check")
+        self.assertEqual((run.returncode, run.stderr), (1, f"{self.page}:11: has other values than {self.figures}\n"))
+        self.assertEqual(self.page.read_text(), PAGE)
+        self.fill(PAGE)
+        run = self.fill(self.page.read_text(), "--check")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
 
     def test_a_table_that_does_not_fit_is_an_error(self):
         for wrong, error in ((PAGE.replace("near\n-", "near"), "page.md:3: figures: 3 names for 4 rows"),

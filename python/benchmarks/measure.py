@@ -1,0 +1,210 @@
+"""Measures the figures of measured.toml and compares them with those that are kept in docs/figures.json (docs/experiments.md).
+
+measure.py --build build/release [--only PREFIX,...] [--core] [--seeds 101..104] [--keep]
+
+Exit status 1 if a figure is worse, 2 if something cannot be measured or read. --keep writes what was measured into the file.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import resource
+import subprocess
+import sys
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import kept
+from gt2003 import Error, _json
+from kept import Kept, Measured, Measurement
+from verdicts import Sample, chances, comparable, verdicts
+
+ROOT = Path(__file__).resolve().parents[2]
+LIST = Path(__file__).with_name("measured.toml")
+FILE = ROOT / "docs/figures.json"
+
+
+@dataclass(frozen=True)
+class Row:
+    """A figure that was measured, and what the file had."""
+
+    now: Kept
+    before: Kept | None
+    tolerance: float
+
+
+def git(*arguments: str, root: Path = ROOT) -> str:
+    done = subprocess.run(["git", *arguments], cwd=root, capture_output=True, text=True, check=False)
+    if done.returncode:
+        raise Error(done.stderr.strip().splitlines()[-1], field="git")
+    return done.stdout.rstrip("\n")
+
+
+def refuse_changes(file: Path, root: Path = ROOT) -> None:
+    """Raise an Error if the tree has changes besides the file of figures itself."""
+    changed = [line[3:] for line in git("status", "--porcelain", "--untracked-files=all", root=root).splitlines() if (root / line[3:]).resolve() != file.resolve()]
+    if changed:
+        others = f" and {len(changed) - 1} others" if len(changed) > 1 else ""
+        raise Error(f"commit your changes first: {changed[0]}{others}", field="KEEP=1")
+
+
+def selected(listed: Sequence[Measurement], only: Sequence[str], core: bool) -> list[Measurement]:
+    """Return the measurements with those of their figures that begin with one of some names; all, if there are none."""
+
+    def wanted(figure: Measured) -> bool:
+        return not only or any(f"{figure.name}.".startswith(f"{name}.") for name in only)
+
+    chosen = []
+    for measurement in listed:
+        figures = tuple(filter(wanted, measurement.figure))
+        if figures and (measurement.core or not core):
+            chosen.append(replace(measurement, figure=figures))
+    if not chosen:
+        raise Error("no figures begin with this", field=f"ONLY={','.join(only)}")
+    return chosen
+
+
+def of_jobs(text: str, file: str, commit: str) -> dict[str, tuple[str, Sample]]:
+    """Return units and values of the figures that results of jobs have."""
+    units: dict[str, str] = {}
+    runs: dict[str, dict[int, float]] = {}
+    for line in text.splitlines():
+        result = _json.parse(line, file)
+        words = dict(word.split("=", 1) for word in result["job"].split()[1:])
+        if commit and not words["commit"].startswith(commit):
+            raise Error(f"the program was built from {words['commit']}, not from {commit}", field="KEEP=1")
+        for value in result["values"]:
+            units[value["name"]] = value["unit"]
+            runs.setdefault(value["name"], {})[int(words["seed"])] = value["value"]
+    return {name: (units[name], Sample(tuple(r for _, r in sorted(v.items())), tuple(sorted(v)))) for name, v in runs.items()}
+
+
+def results(file: Path, commit: str) -> dict[str, tuple[str, Sample]]:
+    """Return what a command has written: of experiments the results of their jobs, whose seeds they name; else the figures themselves."""
+    jobs = file.with_suffix(".jsonl")
+    if jobs.exists():
+        return of_jobs(jobs.read_text(), str(jobs), commit)
+    figures = _json.parse(file.read_text(), str(file))
+    return {f["name"]: (f["unit"], Sample(tuple(f["runs"]), tuple(f.get("seeds", ())))) for f in figures if f.get("runs")}
+
+
+def execute(command: Sequence[str]) -> float:
+    """Return the processor time that a command takes, in seconds; an Error with its last line if it fails."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    try:
+        done = subprocess.run(command, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
+    except OSError as error:
+        raise Error(error.strerror or "cannot be executed", field=command[0]) from None
+    if done.returncode:
+        raise Error((done.stderr.strip().splitlines() or [f"status {done.returncode}"])[-1], field=" ".join(command))
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def measure(measurement: Measurement, given: argparse.Namespace, file: Path, commit: str) -> list[Kept]:
+    """Execute a command, which writes into a file, and return its figures."""
+    build = given.build.resolve()
+    program, *arguments = measurement.command.replace("{build}", str(build)).split()
+    command = [sys.executable, str(ROOT / program)] if program.endswith(".py") else [str(build / "bin" / program)]
+    if (ROOT / program).is_file() and not program.endswith(".py"):
+        command = [str(ROOT / program)]
+    if measurement.seeds:
+        arguments += ["--seeds", given.seeds or measurement.seeds]
+    file.parent.mkdir(parents=True, exist_ok=True)
+    for old in (file, file.with_suffix(".jsonl")):
+        old.unlink(missing_ok=True)
+    seconds = execute([*command, *arguments, "--json", str(file)])
+    written = results(file, commit if given.keep else "")
+    for figure in measurement.figure:
+        if figure.name not in written:
+            raise Error(f"is not measured by: {measurement.command}", field=figure.name)
+    figures = []
+    for figure in measurement.figure:
+        unit, sample = written[figure.name]
+        figures.append(kept.keep(figure.name, unit, figure.worse, measurement.command, seconds, commit, sample))
+    return figures
+
+
+def measure_all(chosen: Sequence[Measurement], file: Mapping[str, Kept], given: argparse.Namespace, commit: str) -> list[Row]:
+    rows = []
+    for i, measurement in enumerate(chosen, 1):
+        print(f"{i}/{len(chosen)} {measurement.command}", file=sys.stderr, flush=True)
+        figures = measure(measurement, given, (given.out / f"{i}.json").resolve(), commit)
+        for now, figure in zip(figures, measurement.figure, strict=True):
+            before = file.get(now.name)
+            rows.append(Row(now, before, figure.tolerated(before.value) if before else 0))
+    return rows
+
+
+def judge(rows: Sequence[Row]) -> list[str]:
+    """Return for each figure: better, same, worse; new if the file has none; few if one of both has a single run."""
+    said = ["few" if row.before else "new" for row in rows]
+    tested = [i for i, row in enumerate(rows) if row.before and comparable(row.before.sample, row.now.sample)]
+    tests = [chances(row.before.sample, row.now.sample, row.now.worse, row.tolerance) for i in tested if (row := rows[i]).before]
+    for i, verdict in zip(tested, verdicts(tests), strict=True):
+        said[i] = verdict
+    return said
+
+
+def shown(figure: Kept | None) -> str:
+    if not figure:
+        return ""
+    half = (figure.interval[1] - figure.interval[0]) / 2 if figure.interval else None
+    return f"{figure.value:.4g}" + (f" ± {half:.2g}" if half is not None else "")
+
+
+def report(rows: Sequence[Row], said: Sequence[str]) -> None:
+    width = max(len(row.now.name) for row in rows)
+    print(f"{'figure':{width}} {'before':>18} {'now':>18} {'unit':9} n  verdict")
+    for row, verdict in zip(rows, said, strict=True):
+        print(f"{row.now.name:{width}} {shown(row.before):>18} {shown(row.now):>18} {row.now.unit:9} {row.now.n:<2} {verdict}")
+    counts = ", ".join(f"{said.count(v)} {v}" for v in ("better", "same", "worse", "new", "few") if v in said)
+    seconds = {row.now.command: row.now.seconds for row in rows}
+    print(f"{len(rows)} figures: {counts}; {sum(seconds.values()):.0f} s of the processor")
+
+
+def run(given: argparse.Namespace) -> int:
+    if given.keep:
+        refuse_changes(given.file)
+    commit = git("rev-parse", "--short=12", "HEAD")
+    listed, file = kept.measurements(given.list), kept.read(given.file)
+    known = {figure.name for measurement in listed for figure in measurement.figure}
+    for name in file:
+        if name not in known:
+            raise Error(f"is not in {given.list}", str(given.file), field=name)
+    only = [name for name in given.only.split(",") if name]
+    rows = measure_all(selected(listed, only, given.core), file, given, commit)
+    said = judge(rows)
+    report(rows, said)
+    if given.keep:
+        file = kept.read(given.file)  # others may have kept figures meanwhile
+        kept.write(given.file, (file | {row.now.name: row.now for row in rows}).values())
+        return 0
+    return 1 if "worse" in said else 0
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--build", type=Path, default=Path("build/release"))
+    parser.add_argument("--only", default="", help="figures that begin with one of these names")
+    parser.add_argument("--core", action="store_true", help="the core set only")
+    parser.add_argument("--seeds", default="", help="other seeds than those of the list")
+    parser.add_argument("--keep", action="store_true", help="write what was measured into the file")
+    parser.add_argument("--file", type=Path, default=FILE, help="the figures that are kept")
+    parser.add_argument("--list", type=Path, default=LIST, help="what is measured")
+    parser.add_argument("--out", type=Path, default=Path("out/figures"), help="folder for what the commands write")
+    try:
+        return run(parser.parse_args(arguments))
+    except Error as error:
+        print(f"figures: {error}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        return 130
+
+
+if __name__ == "__main__":
+    sys.exit(main())
