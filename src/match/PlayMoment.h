@@ -24,7 +24,7 @@ struct PlayMoment {
     DynamicRole role = DynamicRole::defensiveSupporter;
     double ballUnseen = 0;  ///< ms, since its camera saw the ball
 
-    double distanceTo(const BallState& ball) const { return (position - ball.position).norm(); }
+    double distanceTo(const BallState& to) const { return (position - to.position).norm(); }
   };
   Time time;
   BallState ball;

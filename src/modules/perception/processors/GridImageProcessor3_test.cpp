@@ -25,7 +25,7 @@ class GridImageProcessor3Test : public testing::Test {
     processor_.update(scene_.image, scene_.matrix, colors, field_, found_, random_, found_.debug);
   }
 
-  const FieldDimensions field_;
+  const FieldDimensions field_{};
   DrawnField scene_;
   DrawnPercepts found_;
   GridImageProcessor3 processor_;

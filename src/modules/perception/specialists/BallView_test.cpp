@@ -12,9 +12,9 @@ constexpr double radius = 43;
 class BallViewTest : public testing::Test {
  protected:
   CameraMatrix matrix_ = cameraAt({60, 10, 180}, 0, -0.3, 0);
-  const Image image_;
-  const ColorTable64 colors_;
-  const Horizon horizon_;
+  const Image image_{};
+  const ColorTable64 colors_{};
+  const Horizon horizon_{};
   CameraImage picture_{image_, colors_, matrix_, horizon_};
   BallPercept percept_;
 
