@@ -67,7 +67,7 @@ def test_the_learned_policy_keeps_up_with_the_skill(tmp_path: Path) -> None:
 
 
 def test_the_learned_policy_plays_in_a_match(tmp_path: Path) -> None:
-    told = run("play_approach.py", "--minutes", "1.5", folder=tmp_path)
+    told = run("play_approach.py", "--minutes", "3", folder=tmp_path)
     found = re.search(r"red3: LearnedStriker kicked (\d+) times", told)
     assert found and int(found[1]) >= 1, told
     assert "Final score" in told
