@@ -136,10 +136,6 @@ Dialog* Docks::open(const QString& id) {
 void Docks::refresh() {
   std::erase_if(dialogs_, [](const auto& entry) { return !entry.second; });
   std::erase_if(frames_, [](const auto& entry) { return !entry.second; });
-  // Qt 6.4 crashes when a tab is moved within the bar of docks that come and go (QTabBar's
-  // setupMovableTab): docks are dragged out of it only.
-  for (QTabBar* bar : window_.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
-    bar->setMovable(false);
   // A dialog may open or close others.
   const auto open = dialogs_;
   for (const auto& [key, dialog] : open)

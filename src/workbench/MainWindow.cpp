@@ -1,10 +1,13 @@
 #include "workbench/MainWindow.h"
 
+#include <QApplication>
+#include <QChildEvent>
 #include <QCloseEvent>
 #include <QEventLoop>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QStatusBar>
+#include <QTabBar>
 
 #include "views/ViewText.h"
 
@@ -135,12 +138,22 @@ void MainWindow::showStatus() {
                                 : "");
   const QString scene = QFileInfo{text(status.scene)}.fileName();
   setWindowTitle(scene + " – RobotControl");
-  if (scene == scene_) return;
+  // What a dialog asks, it asks in an event loop within its own work: it must not be gone then.
+  const bool asks = QApplication::activeModalWidget() || QApplication::activePopupWidget();
+  if (scene == scene_ || asks) return;
   scene_ = scene;
   if (const QString layout = layouts_.ofScene(scene); !layout.isEmpty() &&
                                                       layout != layouts_.current() &&
                                                       mayDiscard(this, unsavedOnLayoutChange()))
     report(chooseLayout(layout));
+}
+
+/// Qt 6.4 crashes when a tab is moved within the bar of docks that come and go (QTabBar's
+/// setupMovableTab): docks are dragged out of it only. A bar is polished before it can be seen.
+void MainWindow::childEvent(QChildEvent* event) {
+  if (event->polished())
+    if (auto* bar = qobject_cast<QTabBar*>(event->child())) bar->setMovable(false);
+  QMainWindow::childEvent(event);
 }
 
 // What is not saved.

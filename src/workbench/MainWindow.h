@@ -53,6 +53,7 @@ class MainWindow : public QMainWindow {
   void report(const Result<void>& done);
 
  protected:
+  void childEvent(QChildEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
 
  private:
