@@ -1,6 +1,6 @@
 """Plays a match in which the policy of train_approach.py takes the place of one robot's behavior.
 
-    build/python/bin/python python/examples/play_approach.py [--minutes 2] [--seed 7] [--robot red3]
+    build/python/bin/python python/examples/play_approach.py [--scene match] [--minutes 2] [--seed 7] [--robot red3]
 
 The solution of the task BehaviorControl walks to the ball as the policy decides, by what the robot believes, and kicks once
 the ball lies right. Its teammates are told that it is the striker.
@@ -84,8 +84,9 @@ def main() -> None:
     parser.add_argument("--minutes", type=float, default=2)
     parser.add_argument("--seed", type=int, default=7)
     parser.add_argument("--robot", default="red3")
+    parser.add_argument("--scene", default="match")
     given = parser.parse_args()
-    match = gt2003.Match("match", seed=given.seed, minutes=given.minutes, threads=2)
+    match = gt2003.Match(given.scene, seed=given.seed, minutes=given.minutes, threads=2)
     robot = match.robots[given.robot]
     striker = robot.solve("BehaviorControl", LearnedStriker)
     match.run()

@@ -27,7 +27,7 @@ def run(name: str, *arguments: str, folder: Path) -> str:
 
 
 def test_a_detector_sees_the_ball(tmp_path: Path) -> None:
-    told = run("detector.py", folder=tmp_path)
+    told = run("detector.py", "--seconds", "30", folder=tmp_path)
     found = re.search(r"red2: OrangeBlob +saw the ball +(\d+) times, wrong by (\d+) %", told)
     assert found and int(found[1]) > 8 and int(found[2]) < 25, told
     assert "red3: GT2003" in told
@@ -67,7 +67,7 @@ def test_the_learned_policy_keeps_up_with_the_skill(tmp_path: Path) -> None:
 
 
 def test_the_learned_policy_plays_in_a_match(tmp_path: Path) -> None:
-    told = run("play_approach.py", "--minutes", "3", folder=tmp_path)
+    told = run("play_approach.py", "--scene", "no-opponents", "--minutes", "1.5", folder=tmp_path)
     found = re.search(r"red3: LearnedStriker kicked (\d+) times", told)
     assert found and int(found[1]) >= 1, told
     assert "Final score" in told

@@ -12,7 +12,7 @@ from pathlib import Path
 def test_random_calls_do_not_end_the_interpreter(tmp_path: Path) -> None:
     program = Path(__file__).with_name("fuzz_bindings.py")
     done = subprocess.run(
-        [sys.executable, program, "--seed", "1", "--calls", "2500", "--seconds", "600"],
+        [sys.executable, program, "--seed", "1", "--calls", "1500", "--seconds", "600"],
         env={**os.environ, "TMPDIR": str(tmp_path)},
         capture_output=True,
         text=True,
