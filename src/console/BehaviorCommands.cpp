@@ -31,7 +31,7 @@ std::vector<std::string> behaviorNames(Console& console) {
 }
 
 template <typename T>
-std::vector<std::string> namesOf(const std::vector<T>& elements) {
+std::vector<std::string> namesIn(const std::vector<T>& elements) {
   std::vector<std::string> names;
   for (const T& element : elements) names.push_back(element.name);
   std::sort(names.begin(), names.end());
@@ -97,7 +97,7 @@ Result<void> xlb(Console& console, const Words& words) {
 std::vector<std::string> valuesOf(const xabsl::Model& model, xabsl::Type type) {
   if (type.kind == xabsl::ValueKind::boolean) return {"false", "true"};
   if (type.kind == xabsl::ValueKind::enumeration)
-    return namesOf(model.enumerations[static_cast<std::size_t>(type.enumeration)].elements);
+    return namesIn(model.enumerations[static_cast<std::size_t>(type.enumeration)].elements);
   return {};
 }
 
@@ -136,7 +136,7 @@ Result<void> selectRoot(Console& console, const xabsl::Model& model, const Words
       control.parameters.clear();
     });
   }
-  const auto names = namesOf(elements);
+  const auto names = namesIn(elements);
   const std::string* name = findName(names, words[1]);
   if (!name)
     return Error{.field = words[1],
@@ -229,8 +229,8 @@ std::vector<std::string> choices(Console& console, const Words& before) {
   if (!model) return {};
   std::vector<std::string> list;
   if (before.size() == 1) {
-    list = names == Names::behaviors ? namesOf((*model)->behaviors)
-           : names == Names::options ? namesOf((*model)->options)
+    list = names == Names::behaviors ? namesIn((*model)->behaviors)
+           : names == Names::options ? namesIn((*model)->options)
                                      : symbolNames(**model, names == Names::inputs);
     list.emplace_back("?");
     if (names == Names::behaviors || names == Names::options) list.emplace_back("unchanged");

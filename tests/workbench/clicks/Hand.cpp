@@ -27,10 +27,6 @@ namespace {
 constexpr int pollInterval = 20;  // ms
 constexpr int imageWidth = 176;   // pixels, of a camera's image
 
-[[noreturn]] void fail(const QString& what) {
-  throw std::runtime_error{what.toStdString()};
-}
-
 /// A text without what only menus and buttons have.
 QString plain(QString text) {
   return text.remove('&').remove(QStringLiteral("…"));

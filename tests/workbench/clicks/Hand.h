@@ -6,12 +6,18 @@
 #include <QStringList>
 #include <QTimer>
 #include <functional>
+#include <stdexcept>
 
 #include "workbench/MainWindow.h"
 
 class QMenu;
 
 namespace gt {
+
+/// What a page says cannot be done or is not there.
+[[noreturn]] inline void fail(const QString& what) {
+  throw std::runtime_error{what.toStdString()};
+}
 
 /// Uses the workbench as a person does: finds things by what is written on or beside them, presses
 /// mouse buttons and keys, and counts that. Throws std::runtime_error if something cannot be found

@@ -18,12 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int settling = 1500;  // ms, until dialogs show what is new
-constexpr int patience = 120;   // s; machines may be loaded
-
-[[noreturn]] void fail(const QString& what) {
-  throw std::runtime_error{what.toStdString()};
-}
+constexpr int longSettling = 1500;  // ms, until dialogs show what is new
+constexpr int patience = 120;       // s; machines may be loaded
 
 /// A copy of what programs read, in which pages may write.
 void copyData(const fs::path& from, const fs::path& to) {
@@ -92,7 +88,7 @@ void Walk::begin(const QString& scene, const QString& seed) {
   window_->resize(1280, 720);
   window_->show();
   if (!QTest::qWaitForWindowExposed(window_.get())) fail("the window does not appear");
-  QTest::qWait(settling);
+  QTest::qWait(longSettling);
   hand_ = std::make_unique<Hand>(*window_);
   clicks_ = texts_ = 0;
 }
@@ -100,7 +96,7 @@ void Walk::begin(const QString& scene, const QString& seed) {
 void Walk::show(const QString& name, const QString& title) {
   QWidget* shown = window_.get();
   if (!title.isEmpty()) shown = hand_->dialog(title).parentWidget();
-  QTest::qWait(settling);
+  QTest::qWait(longSettling);
   if (!pictures_.empty())
     savePicture(shown->grab(), QString::fromStdString(pictures_) + "/" + name);
 }

@@ -9,11 +9,10 @@
 namespace gt {
 namespace {
 
-const Vector3d orange{129, 59, 214}, yellow{195, 26, 158}, skyblue{132, 186, 63},
-    pink{139, 139, 203}, red{65, 106, 212}, blue{36, 177, 115}, gray{120, 130, 128};
-
 class ColorAdaptationTest : public testing::Test {
  protected:
+  const Vector3d orange{129, 59, 214}, yellow{195, 26, 158}, skyblue{132, 186, 63},
+      pink{139, 139, 203}, red{65, 106, 212}, blue{36, 177, 115}, gray{120, 130, 128};
   ColorAdaptation colors_;
   Random random_{1};
   DrawnField scene_;
@@ -38,7 +37,7 @@ class ColorAdaptationTest : public testing::Test {
 TEST_F(ColorAdaptationTest, KnowsNothingUntilItHasSeenTheField) {
   EXPECT_EQ(rightShare(fieldGreen, 1, ColorClass::noColor), 1);
   DrawnField sky{0.6};
-  sky.draw([](const Vector3d&) { return skyblue; }, 1, 3, random_);
+  sky.draw([this](const Vector3d&) { return skyblue; }, 1, 3, random_);
   for (int i = 0; i < 100; ++i) {
     colors_.observe(sky.image, horizonOf(sky.matrix));
     colors_.refresh();
