@@ -39,8 +39,8 @@ class GameViews::Body : public RobotController {
       step = {};
     }
     // As fast as motion control lets a head turn.
-    const auto turn = [](double& angle, double wanted, double speed) {
-      return angle += std::clamp(wanted - angle, -speed * tickSeconds, speed * tickSeconds);
+    const auto turn = [](double& angle, double wanted, double fastest) {
+      return angle += std::clamp(wanted - angle, -fastest * tickSeconds, fastest * tickSeconds);
     };
     const DefaultMotionControl::Parameters most;
     output.joints.angles[Joint::headTilt] = turn(tilt_, headTilt, most.headTiltSpeed);
