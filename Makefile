@@ -196,7 +196,7 @@ experiments: build
 # Seeds are those of python/benchmarks/measured.toml if none are named: SEEDS has a default of its own.
 # Speed takes more to build, and is no part of the core set.
 WITH_SPEED = $(if $(CORE),,$(if $(ONLY),$(findstring speed,$(ONLY)),speed))
-figures: TARGETS = --target experiment gt2003_python_package $(if $(WITH_SPEED),bench simgt)
+figures: TARGETS = --target experiment simgt gt2003_python_package $(if $(WITH_SPEED),bench)
 figures: ENVIRONMENT = build/python
 figures: PACKAGES += $(if $(WITH_SPEED),$(BENCH))
 figures: PACKAGES += $(if $(filter /usr/bin/python3,$(PYTHON)),$(PYTHONS))

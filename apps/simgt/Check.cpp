@@ -13,6 +13,7 @@
 #include "console/Console.h"
 #include "framework/LayoutCheck.h"
 #include "representations/behavior/HeadControlMode.h"
+#include "robot/CalibratedFiles.h"
 #include "robot/Robot.h"
 #include "robot/Solutions.h"
 #include "robot/TeamFolder.h"
@@ -43,6 +44,7 @@ class TreeCheck {
     checkLayouts();
     checkScenes();
     checkLogs();
+    findings_.add(checkCalibratedFiles(root_));
     findings_.sort();
     return findings_;
   }
@@ -189,6 +191,11 @@ int checkTree(const CheckOptions& options) {
   if (!fs::is_directory(options.root)) {
     fmt::print(stderr, "simgt: {}: is not a folder\n", options.root);
     return 2;
+  }
+  if (!options.fits.empty()) {
+    const auto kept = keepCalibratedFile(options.root, options.fits);
+    if (!kept) fmt::print(stderr, "simgt: {}\n", kept.error().text());
+    return kept ? 0 : 2;
   }
   TreeCheck tree{options.root};
   const Findings findings = tree.check();

@@ -7,6 +7,7 @@ namespace gt {
 struct CheckOptions {
   std::string root;
   bool strict = false;  ///< Warnings are failures, too.
+  std::string fits;     ///< A calibrated file that was just measured to fit: only this is kept.
 };
 
 /// Loads every configuration, layout, scene, motion and behavior of a tree and reports all

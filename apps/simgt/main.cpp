@@ -166,12 +166,16 @@ int main(int argc, char** argv) {
                               "Packs what it takes to look into a fault elsewhere into one file",
                               [&] { return gt::packFaultReport(report); }),
                  report);
-  gt::CheckOptions check{root.path(".")};
+  gt::CheckOptions check;
+  check.root = root.path(".");
   CLI::App& checking = line.command(
       "check",
       "Loads every configuration, team, layout, scene, motion and behavior; reports errors",
       [&] { return gt::checkTree(check); });
   checking.add_option("root", check.root, "Folder of the tree")->capture_default_str();
   checking.add_flag("--strict", check.strict, "Fails because of warnings, too");
+  checking.add_option(
+      "--fits", check.fits,
+      "Only keeps that a file of config/calibrated.cfg fits what it depends on now");
   return line.run();
 }

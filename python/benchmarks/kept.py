@@ -135,13 +135,17 @@ class Measured:
 class Measurement:
     """A command with the figures that are taken from what it writes.
 
-    seeds: a range, for a command that has the option --seeds. core: whether it belongs to the core set.
+    seeds: a range, for a command that has the option --seeds. core: whether it belongs to the core set. calibrated: files of
+    config/calibrated.cfg which the figures say of whether they fit. recheck: arguments instead of the seeds with which a part of the
+    figures is measured within seconds.
     """
 
     command: str
     figure: tuple[Measured, ...]
     seeds: str = ""
     core: bool = False
+    calibrated: tuple[str, ...] = ()
+    recheck: str = ""
 
 
 @dataclass(frozen=True)
@@ -157,6 +161,8 @@ def measurements(path: Path) -> tuple[Measurement, ...]:
     for i, measurement in enumerate(listed, 1):
         if not measurement.command.split():
             raise Error("expected a program with its arguments", file, field=f"measurement {i}.command")
+        if measurement.recheck and not measurement.calibrated:
+            raise Error("names no files of config/calibrated.cfg", file, field=f"measurement {i}.recheck")
         for figure in measurement.figure:
             if figure.worse not in KINDS:
                 raise Error(f"expected one of: {', '.join(KINDS)}", file, field=f"{figure.name}.worse")

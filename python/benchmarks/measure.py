@@ -1,8 +1,9 @@
 """Measures the figures of measured.toml and compares them with those that are kept in docs/figures.json (docs/experiments.md).
 
-measure.py --build build/release [--only PREFIX,...] [--core] [--seeds 101..104] [--keep]
+measure.py --build build/release [--only PREFIX,...] [--core] [--seeds 101..104] [--keep | --recheck]
 
-Exit status 1 if a figure is worse, 2 if something cannot be measured or read. --keep writes what was measured into the file.
+Exit status 1 if a figure is worse, 2 if something cannot be measured or read. --keep writes what was measured into the file, and into
+config/calibrated.cfg that the files of which the figures tell fit. --recheck measures on few seeds whether they still do.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from typing import Any
 import kept
 from gt2003 import Error, _json
 from kept import Kept, Measured, Measurement
-from verdicts import Sample, chances, comparable, verdicts
+from verdicts import Sample, chances, comparable, fits, verdicts
 
 ROOT = Path(__file__).resolve().parents[2]
 LIST = Path(__file__).with_name("measured.toml")
@@ -105,19 +106,26 @@ def execute(command: Sequence[str]) -> float:
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
-def measure(measurement: Measurement, given: argparse.Namespace, file: Path, commit: str) -> list[Kept]:
-    """Execute a command, which writes into a file, and return its figures."""
+def write(measurement: Measurement, given: argparse.Namespace, file: Path) -> float:
+    """Execute a command, which writes into a file; return its processor time in seconds."""
     build = given.build.resolve()
     program, *arguments = measurement.command.replace("{build}", str(build)).split()
     command = [sys.executable, str(ROOT / program)] if program.endswith(".py") else [str(build / "bin" / program)]
     if (ROOT / program).is_file() and not program.endswith(".py"):
         command = [str(ROOT / program)]
-    if measurement.seeds:
+    if given.recheck:
+        arguments += measurement.recheck.split()
+    elif measurement.seeds:
         arguments += ["--seeds", given.seeds or measurement.seeds]
     file.parent.mkdir(parents=True, exist_ok=True)
     for old in (file, file.with_suffix(".jsonl")):
         old.unlink(missing_ok=True)
-    seconds = execute([*command, *arguments, "--json", str(file)])
+    return execute([*command, *arguments, "--json", str(file)])
+
+
+def measure(measurement: Measurement, given: argparse.Namespace, file: Path, commit: str) -> list[Kept]:
+    """Execute a command and return its figures."""
+    seconds = write(measurement, given, file)
     written = results(file, commit if given.keep else "")
     for figure in measurement.figure:
         if figure.name not in written:
@@ -167,6 +175,35 @@ def report(rows: Sequence[Row], said: Sequence[str]) -> None:
     print(f"{len(rows)} figures: {counts}; {sum(seconds.values()):.0f} s of the processor")
 
 
+def recheck(listed: Sequence[Measurement], file: Mapping[str, Kept], given: argparse.Namespace) -> int:
+    """Print for each figure that is measured again whether the calibrated files still fit; return the exit status."""
+    status = 0
+    for i, measurement in enumerate((m for m in listed if m.recheck), 1):
+        path = (given.out / f"recheck-{i}.json").resolve()
+        write(measurement, given, path)
+        written = results(path, "")
+        figures = [figure for figure in measurement.figure if figure.name in written]
+        if not figures:
+            raise Error(f"measures no figure of the list: {measurement.command} {measurement.recheck}", str(given.list), field="recheck")
+        for figure in figures:
+            before, (unit, now) = file.get(figure.name), written[figure.name]
+            if not before or not set(now.seeds) <= set(before.seeds):
+                raise Error(f"is not kept on the seeds of: {measurement.recheck}", str(given.file), field=figure.name)
+            good = fits(before.sample, now, figure.worse, figure.tolerated(before.value))
+            status = status if good else 1
+            said = "fits" if good else f"no longer fits; simgt check tells what has changed, and how it is made anew"
+            mean = sum(now.runs) / len(now.runs)
+            old = sum(r for s, r in zip(before.seeds, before.runs, strict=True) if s in now.seeds) / len(now.runs)
+            print(f"{', '.join(measurement.calibrated)}: {figure.name} {old:.4g} -> {mean:.4g} {unit}: {said}")
+    return status
+
+
+def keep_fits(chosen: Sequence[Measurement], given: argparse.Namespace) -> None:
+    """Write into config/calibrated.cfg which files were measured to fit."""
+    for file in sorted({file for measurement in chosen for file in measurement.calibrated}):
+        execute([str(given.build.resolve() / "bin/simgt"), "check", "--fits", file])
+
+
 def run(given: argparse.Namespace) -> int:
     if given.keep:
         refuse_changes(given.file)
@@ -176,13 +213,17 @@ def run(given: argparse.Namespace) -> int:
     for name in file:
         if name not in known:
             raise Error(f"is not in {given.list}", str(given.file), field=name)
+    if given.recheck:
+        return recheck(listed, file, given)
     only = [name for name in given.only.split(",") if name]
-    rows = measure_all(selected(listed, only, given.core), file, given, commit)
+    chosen = selected(listed, only, given.core)
+    rows = measure_all(chosen, file, given, commit)
     said = judge(rows)
     report(rows, said)
     if given.keep:
         file = kept.read(given.file)  # others may have kept figures meanwhile
         kept.write(given.file, (file | {row.now.name: row.now for row in rows}).values())
+        keep_fits(chosen, given)
         return 0
     return 1 if "worse" in said else 0
 
@@ -194,6 +235,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--core", action="store_true", help="the core set only")
     parser.add_argument("--seeds", default="", help="other seeds than those of the list")
     parser.add_argument("--keep", action="store_true", help="write what was measured into the file")
+    parser.add_argument("--recheck", action="store_true", help="measure again, on few seeds, whether calibrated files fit")
     parser.add_argument("--file", type=Path, default=FILE, help="the figures that are kept")
     parser.add_argument("--list", type=Path, default=LIST, help="what is measured")
     parser.add_argument("--out", type=Path, default=Path("out/figures"), help="folder for what the commands write")

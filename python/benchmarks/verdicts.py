@@ -94,3 +94,13 @@ def verdicts(tests: Sequence[Chances]) -> list[str]:
     """Return "worse", "better" or "same" for each of the figures that are judged together."""
     worse, better = _found([t.worse for t in tests]), _found([t.better for t in tests])
     return ["worse" if i in worse else "better" if i in better else "same" for i in range(len(tests))]
+
+
+def fits(before: Sample, now: Sample, worse: str, tolerance: float = 0) -> bool:
+    """Whether a figure, measured again on some of its seeds, is not worse by more than its runs differ from each other."""
+    old = dict(zip(before.seeds, before.runs, strict=True))
+    difference = math.fsum(run - old[seed] for seed, run in zip(now.seeds, now.runs, strict=True)) / len(now.runs)
+    mean = math.fsum(before.runs) / len(before.runs)
+    spread = math.sqrt(math.fsum((run - mean) ** 2 for run in before.runs) / max(1, len(before.runs) - 1))
+    amount = {"greater": difference, "less": -difference, "different": abs(difference)}[worse]
+    return amount <= max(tolerance, spread)

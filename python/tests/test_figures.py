@@ -228,6 +228,8 @@ LIST = """
 command = "walker --only walk"
 seeds = "1..6"
 core = true
+calibrated = ["config/gait.cfg"]
+recheck = "--seeds 2..3"
 figure = [{name = "walk.speed", worse = "less", tolerance = 1}, {name = "walk.falls", worse = "greater"}]
 
 [[measurement]]
@@ -255,6 +257,7 @@ class Project:
         self.head = self.git("rev-parse", "--short=12", "HEAD").strip()
         self.program("walker", FAKE.format(calls=str(folder / "build/calls"), shift=str(folder / "build/shift"), commit=self.head))
         self.program("sizes", LINES.format(size=1000))
+        self.program("simgt", f"#!/bin/sh\necho $* >>{folder}/build/kept\n")
         monkeypatch.setattr(measure, "ROOT", folder)
         monkeypatch.setattr(measure.git, "__kwdefaults__", {"root": folder})
         monkeypatch.setattr(measure.refuse_changes, "__defaults__", (folder,))
@@ -309,6 +312,19 @@ def test_what_is_kept_is_compared_from_then_on(project: Project) -> None:
     status, printed, _ = project.figures()
     assert status == 0 and verdict_of(printed, "walk.speed") == "better"
     assert kept.read(project.file) == figures  # nothing is written unless asked for
+
+
+def test_calibrated_files_fit_until_a_figure_is_worse(project: Project) -> None:
+    assert project.figures("--recheck")[2] == f"figures: {project.file}: walk.speed: is not kept on the seeds of: --seeds 2..3"
+    project.figures("--keep")
+    assert (project.folder / "build/kept").read_text() == "check --fits config/gait.cfg\n"
+    spread = math.sqrt(0.8)  # of 102, 100, 101 and so on; less than the tolerance
+    for shift, status, said in ((0, 0, "fits"), (-0.9 * spread, 0, "fits"), (-1.1, 1, "no longer fits"), (50, 0, "fits")):
+        project.shift(shift)
+        found, printed, _ = project.figures("--recheck")
+        assert found == status and f"config/gait.cfg: walk.speed 101 -> {101 + shift:.4g} mm/s: {said}" in printed
+        assert "config/gait.cfg: walk.falls 1 -> 1 mm/s: fits" in printed
+    assert project.calls()[-1] == "--only walk --seeds 2..3"
 
 
 def test_other_seeds_are_no_alarm(project: Project) -> None:
@@ -395,6 +411,7 @@ def test_what_cannot_be_measured_is_told_in_one_line(project: Project) -> None:
         ('"sizes"', '""', "measurement 2.command: expected a program"),
         ("core", "cor", "measurement 1.cor: is unknown"),
         ('name = "size", ', "", "measurement 2.figure 1.name: is missing"),
+        ('calibrated = ["config/gait.cfg"]\n', "", "measurement 1.recheck: names no files of config/calibrated.cfg"),
         ("[[measurement]]", "[[measurement]", "Expected ']]'"),
     ],
 )

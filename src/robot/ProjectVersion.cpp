@@ -1,10 +1,8 @@
 #include "robot/ProjectVersion.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <iomanip>
 #include <sstream>
-#include <vector>
 
 #include "robot/SetupFiles.h"
 #include "streams/File.h"
@@ -13,7 +11,7 @@ namespace gt {
 
 namespace fs = std::filesystem;
 
-Result<void> addFiles(const std::string& folder, Fingerprint& sum) {
+Result<std::vector<fs::path>> filesBelow(const std::string& folder) {
   std::error_code failed;
   std::vector<fs::path> files;
   for (fs::recursive_directory_iterator at{folder, failed}, end; !failed && at != end;
@@ -21,7 +19,13 @@ Result<void> addFiles(const std::string& folder, Fingerprint& sum) {
     if (at->is_regular_file()) files.push_back(at->path());
   if (failed) return Error{.file = folder, .what = failed.message()};
   std::ranges::sort(files);
-  for (const fs::path& file : files) {
+  return files;
+}
+
+Result<void> addFiles(const std::string& folder, Fingerprint& sum) {
+  const auto files = filesBelow(folder);
+  if (!files) return files.error();
+  for (const fs::path& file : *files) {
     const auto text = readFile(file.string());
     if (!text) return text.error();
     sum.add(file.lexically_relative(folder).generic_string());
