@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <filesystem>
 #include <optional>
 
 #include "colors/ColorConfusion.h"
@@ -8,6 +9,7 @@
 #include "colortable/ColorFiles.h"
 #include "colortable/Images.h"
 #include "commandline/CommandLine.h"
+#include "measure/Figures.h"
 #include "views/painting/ColorClassViews.h"
 
 namespace {
@@ -18,7 +20,7 @@ using namespace gt;
 struct Arguments {
   ImageSource source;
   Learning learning;
-  std::string table, other, out;
+  std::string table, other, out, json;
   bool nao2009 = false;
   bool remove = false;
   MedianRule rule{0, 1, false};
@@ -64,6 +66,20 @@ Result<void> learn(const Arguments& a) {
   return {};
 }
 
+/// How much a table sees of each class, and how much of it is right, by the table's kind:
+/// colors.c64.
+Result<void> writeFigures(const ColorConfusion& confusion, const Arguments& a) {
+  Figures figures;
+  const std::string kind = "colors" + std::filesystem::path{a.table}.extension().string();
+  figures.add(kind + ".right", "%", {100 * confusion.accuracy()});
+  for (const std::string_view name : enumNames<ColorClass>) {
+    const ColorClass c = *enumValue<ColorClass>(name);
+    figures.add(fmt::format("{}.{}.recall", kind, name), "%", {100 * confusion.recall(c)});
+    figures.add(fmt::format("{}.{}.precision", kind, name), "%", {100 * confusion.precision(c)});
+  }
+  return figures.write(a.json);
+}
+
 Result<void> confusion(const Arguments& a) {
   if (auto done = checkLabels(a.source); !done) return done;
   const auto table = a.read(a.table);
@@ -73,8 +89,9 @@ Result<void> confusion(const Arguments& a) {
     p.forEachPixel([&](const Pixel& pixel, ColorClass c) { confusion.add(c, (*table)[pixel]); });
     return true;
   });
-  if (done) fmt::print("{}", confusion.text("truth", a.table));
-  return done;
+  if (!done) return done;
+  fmt::print("{}", confusion.text("truth", a.table));
+  return a.json.empty() ? Result<void>{} : writeFigures(confusion, a);
 }
 
 Result<void> compare(const Arguments& a) {
@@ -182,6 +199,7 @@ void addJudging(CommandLine& line, Arguments& a) {
   CLI::App& judging = addCommand(line, a, "confusion",
                                  "Compares what a table says of images with the truth", confusion);
   addSource(judging, a.source);
+  judging.add_option("--json", a.json, "File for the figures");
   addCommand(line, a, "compare", "Compares two tables color by color", compare)
       .add_option("other", a.other, "The other one")
       ->required();

@@ -136,8 +136,8 @@ class Measurement:
     """A command with the figures that are taken from what it writes.
 
     seeds: a range, for a command that has the option --seeds. core: whether it belongs to the core set. calibrated: files of
-    config/calibrated.cfg which the figures say of whether they fit. recheck: arguments instead of the seeds with which a part of the
-    figures is measured within seconds.
+    config/calibrated.cfg of which the figures tell whether they fit. recheck: arguments in the place of the seeds, with which some of the
+    figures are measured within seconds, where all of them take longer.
     """
 
     command: str

@@ -113,7 +113,7 @@ def write(measurement: Measurement, given: argparse.Namespace, file: Path) -> fl
     command = [sys.executable, str(ROOT / program)] if program.endswith(".py") else [str(build / "bin" / program)]
     if (ROOT / program).is_file() and not program.endswith(".py"):
         command = [str(ROOT / program)]
-    if given.recheck:
+    if given.recheck and measurement.recheck:
         arguments += measurement.recheck.split()
     elif measurement.seeds:
         arguments += ["--seeds", given.seeds or measurement.seeds]
@@ -178,7 +178,7 @@ def report(rows: Sequence[Row], said: Sequence[str]) -> None:
 def recheck(listed: Sequence[Measurement], file: Mapping[str, Kept], given: argparse.Namespace) -> int:
     """Print for each figure that is measured again whether the calibrated files still fit; return the exit status."""
     status = 0
-    for i, measurement in enumerate((m for m in listed if m.recheck), 1):
+    for i, measurement in enumerate((m for m in listed if m.calibrated), 1):
         path = (given.out / f"recheck-{i}.json").resolve()
         write(measurement, given, path)
         written = results(path, "")
@@ -188,13 +188,14 @@ def recheck(listed: Sequence[Measurement], file: Mapping[str, Kept], given: argp
         for figure in figures:
             before, (unit, now) = file.get(figure.name), written[figure.name]
             if not before or not set(now.seeds) <= set(before.seeds):
-                raise Error(f"is not kept on the seeds of: {measurement.recheck}", str(given.file), field=figure.name)
+                raise Error(f"is not kept on the seeds of: {measurement.command} {measurement.recheck}".rstrip(), str(given.file), field=figure.name)
             good = fits(before.sample, now, figure.worse, figure.tolerated(before.value))
             status = status if good else 1
-            said = "fits" if good else f"no longer fits; simgt check tells what has changed, and how it is made anew"
-            mean = sum(now.runs) / len(now.runs)
-            old = sum(r for s, r in zip(before.seeds, before.runs, strict=True) if s in now.seeds) / len(now.runs)
-            print(f"{', '.join(measurement.calibrated)}: {figure.name} {old:.4g} -> {mean:.4g} {unit}: {said}")
+            old = [run for seed, run in zip(before.seeds, before.runs) if seed in now.seeds] or before.runs
+            print(
+                f"{', '.join(measurement.calibrated)}: {figure.name} {sum(old) / len(old):.4g} -> {sum(now.runs) / len(now.runs):.4g} {unit}: "
+                + ("fits" if good else "no longer fits; simgt check tells what has changed, and how it is made anew")
+            )
     return status
 
 

@@ -98,8 +98,9 @@ def verdicts(tests: Sequence[Chances]) -> list[str]:
 
 def fits(before: Sample, now: Sample, worse: str, tolerance: float = 0) -> bool:
     """Whether a figure, measured again on some of its seeds, is not worse by more than its runs differ from each other."""
-    old = dict(zip(before.seeds, before.runs, strict=True))
-    difference = math.fsum(run - old[seed] for seed, run in zip(now.seeds, now.runs, strict=True)) / len(now.runs)
+    old = dict(zip(before.seeds, before.runs, strict=True)) if before.seeds else dict(enumerate(before.runs))
+    seeds = now.seeds or range(len(now.runs))
+    difference = math.fsum(run - old[seed] for seed, run in zip(seeds, now.runs, strict=True)) / len(now.runs)
     mean = math.fsum(before.runs) / len(before.runs)
     spread = math.sqrt(math.fsum((run - mean) ** 2 for run in before.runs) / max(1, len(before.runs) - 1))
     amount = {"greater": difference, "less": -difference, "different": abs(difference)}[worse]

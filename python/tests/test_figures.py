@@ -234,6 +234,7 @@ figure = [{name = "walk.speed", worse = "less", tolerance = 1}, {name = "walk.fa
 
 [[measurement]]
 command = "sizes"
+calibrated = ["config/sizes.cfg"]
 figure = [{name = "size", worse = "greater", share = 0.1}]
 """
 
@@ -315,16 +316,19 @@ def test_what_is_kept_is_compared_from_then_on(project: Project) -> None:
 
 
 def test_calibrated_files_fit_until_a_figure_is_worse(project: Project) -> None:
-    assert project.figures("--recheck")[2] == f"figures: {project.file}: walk.speed: is not kept on the seeds of: --seeds 2..3"
+    assert project.figures("--recheck")[2] == f"figures: {project.file}: walk.speed: is not kept on the seeds of: walker --only walk --seeds 2..3"
     project.figures("--keep")
-    assert (project.folder / "build/kept").read_text() == "check --fits config/gait.cfg\n"
+    assert (project.folder / "build/kept").read_text() == "check --fits config/gait.cfg\ncheck --fits config/sizes.cfg\n"
     spread = math.sqrt(0.8)  # of 102, 100, 101 and so on; less than the tolerance
     for shift, status, said in ((0, 0, "fits"), (-0.9 * spread, 0, "fits"), (-1.1, 1, "no longer fits"), (50, 0, "fits")):
         project.shift(shift)
         found, printed, _ = project.figures("--recheck")
         assert found == status and f"config/gait.cfg: walk.speed 101 -> {101 + shift:.4g} mm/s: {said}" in printed
-        assert "config/gait.cfg: walk.falls 1 -> 1 mm/s: fits" in printed
+        assert "config/gait.cfg: walk.falls 1 -> 1 mm/s: fits" in printed and "config/sizes.cfg: size 1000 -> 1000 lines: fits" in printed
     assert project.calls()[-1] == "--only walk --seeds 2..3"
+    for size, status in ((1100, 0), (1101, 1)):
+        project.program("sizes", LINES.format(size=size))
+        assert project.figures("--recheck")[0] == status
 
 
 def test_other_seeds_are_no_alarm(project: Project) -> None:
