@@ -19,7 +19,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -48,12 +48,12 @@ def processor_seconds() -> float:
     return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
 
 
-def tree_of(commit: str, root: Path = ROOT) -> Path:
-    """A clone of a commit, with its program simgt."""
+def tree_of(commit: str, root: Path = ROOT, targets: Sequence[str] = ("simgt",)) -> Path:
+    """A clone of a commit, with programs of it."""
     try:
         name = run(["git", "rev-parse", "--verify", "--short=12", commit + "^{commit}"], root).strip()
     except Failure:
-        raise Failure(f"AGAINST={commit}: there is no such commit") from None
+        raise Failure(f"{commit}: there is no such commit") from None
     tree = root / "build/against" / name
     if not tree.exists():
         run(["git", "clone", "--quiet", "--shared", "--no-checkout", root, tree], root)
@@ -61,7 +61,7 @@ def tree_of(commit: str, root: Path = ROOT) -> Path:
     # Clones in other folders are served from ccache, also at commits that did not ask for it.
     served = {"CCACHE_BASEDIR": str(tree), "CCACHE_NOHASHDIR": "true"}
     run(["cmake", "--preset", "release"], tree, served)
-    run(["cmake", "--build", "build/release", "--target", "simgt"], tree, served)
+    run(["cmake", "--build", "build/release", "--target", *targets], tree, served)
     return tree
 
 

@@ -93,11 +93,11 @@ def results(file: Path, commit: str) -> dict[str, tuple[str, Sample]]:
     return {f["name"]: (f["unit"], Sample(tuple(f["runs"]), tuple(f.get("seeds", ())))) for f in figures if f.get("runs")}
 
 
-def execute(command: Sequence[str]) -> float:
-    """Return the processor time that a command takes, in seconds; an Error with its last line if it fails."""
+def execute(command: Sequence[str], root: Path) -> float:
+    """Return the processor time that a command takes in a folder, in seconds; an Error with its last line if it fails."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     try:
-        done = subprocess.run(command, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
+        done = subprocess.run(command, cwd=root, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
     except OSError as error:
         raise Error(error.strerror or "cannot be executed", field=command[0]) from None
     if done.returncode:
@@ -106,26 +106,26 @@ def execute(command: Sequence[str]) -> float:
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
-def write(measurement: Measurement, given: argparse.Namespace, file: Path) -> float:
-    """Execute a command, which writes into a file; return its processor time in seconds."""
-    build = given.build.resolve()
-    program, *arguments = measurement.command.replace("{build}", str(build)).split()
-    command = [sys.executable, str(ROOT / program)] if program.endswith(".py") else [str(build / "bin" / program)]
-    if (ROOT / program).is_file() and not program.endswith(".py"):
-        command = [str(ROOT / program)]
-    if given.recheck and measurement.recheck:
-        arguments += measurement.recheck.split()
-    elif measurement.seeds:
-        arguments += ["--seeds", given.seeds or measurement.seeds]
+def write(command: str, chance: Sequence[str], build: Path, file: Path, root: Path) -> float:
+    """Execute a command of the list in a tree, with arguments for its seeds; return its processor time in seconds."""
+    program, *arguments = command.replace("{build}", str(build)).split()
+    own = root / program
+    start = [sys.executable, str(own)] if program.endswith(".py") else [str(own if own.is_file() else build / "bin" / program)]
     file.parent.mkdir(parents=True, exist_ok=True)
     for old in (file, file.with_suffix(".jsonl")):
         old.unlink(missing_ok=True)
-    return execute([*command, *arguments, "--json", str(file)])
+    return execute([*start, *arguments, *chance, "--json", str(file)], root)
+
+
+def chance_of(measurement: Measurement, given: argparse.Namespace) -> list[str]:
+    if given.recheck and measurement.recheck:
+        return measurement.recheck.split()
+    return ["--seeds", given.seeds or measurement.seeds] if measurement.seeds else []
 
 
 def measure(measurement: Measurement, given: argparse.Namespace, file: Path, commit: str) -> list[Kept]:
     """Execute a command and return its figures."""
-    seconds = write(measurement, given, file)
+    seconds = write(measurement.command, chance_of(measurement, given), given.build.resolve(), file, ROOT)
     written = results(file, commit if given.keep else "")
     for figure in measurement.figure:
         if figure.name not in written:
@@ -180,7 +180,7 @@ def recheck(listed: Sequence[Measurement], file: Mapping[str, Kept], given: argp
     status = 0
     for i, measurement in enumerate((m for m in listed if m.calibrated), 1):
         path = (given.out / f"recheck-{i}.json").resolve()
-        write(measurement, given, path)
+        write(measurement.command, chance_of(measurement, given), given.build.resolve(), path, ROOT)
         written = results(path, "")
         figures = [figure for figure in measurement.figure if figure.name in written]
         if not figures:
@@ -202,7 +202,7 @@ def recheck(listed: Sequence[Measurement], file: Mapping[str, Kept], given: argp
 def keep_fits(chosen: Sequence[Measurement], given: argparse.Namespace) -> None:
     """Write into config/calibrated.cfg which files were measured to fit."""
     for file in sorted({file for measurement in chosen for file in measurement.calibrated}):
-        execute([str(given.build.resolve() / "bin/simgt"), "check", "--fits", file])
+        execute([str(given.build.resolve() / "bin/simgt"), "check", "--fits", file], ROOT)
 
 
 def run(given: argparse.Namespace) -> int:
