@@ -122,7 +122,6 @@ def main() -> int:
     except Failure as failure:
         print(f"against: {failure}", file=sys.stderr)
         return 2
-    given.json.parent.mkdir(parents=True, exist_ok=True)
     add(measured, given.json)
     return 0
 

@@ -233,7 +233,6 @@ def main() -> None:
     parser.add_argument("--json", type=Path, default=Path("out/bench.json"))
     given = parser.parse_args()
 
-    given.json.parent.mkdir(parents=True, exist_ok=True)
     for name in given.only or PIECES:
         with tempfile.TemporaryDirectory() as folder:
             add(PIECES[name](given.build, Path(folder)), given.json)

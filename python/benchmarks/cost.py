@@ -82,7 +82,6 @@ def main() -> int:
     except Failure as failure:
         print(f"cost: {failure}", file=sys.stderr)
         return 2
-    given.json.parent.mkdir(parents=True, exist_ok=True)
     add(measured, given.json)
     return 0
 

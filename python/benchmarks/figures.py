@@ -35,7 +35,8 @@ def figure(
 
 
 def add(measured: list[Figure], file: Path) -> None:
-    """Prints figures, and has them replace those of the same names in a file."""
+    """Prints figures, and has them replace those of the same names in a file, whose folder is made if it is missing."""
+    file.parent.mkdir(parents=True, exist_ok=True)
     for made in measured:
         met = {True: "met", False: "not met"}.get(made.get("met"), "")  # type: ignore[call-overload]
         print(f"{made['name']:40} {made['value']:12.4g} {made['unit']:4} {met}", flush=True)

@@ -437,6 +437,13 @@ def test_the_projects_own_files_can_be_read() -> None:
         assert figure.commit and replace(figure, n=0) != figure
 
 
+def test_all_is_measured_within_an_hour_and_the_core_set_within_a_quarter() -> None:
+    seconds = {figure.command: figure.seconds for figure in kept.read(measure.FILE).values()}
+    core = {m.command for m in kept.measurements(measure.LIST) if m.core}
+    assert sum(seconds.values()) < 2 * 3600  # of two processors
+    assert sum(s for command, s in seconds.items() if command in core) < 2 * 900
+
+
 def test_a_match_is_measured_in_fixed_pieces() -> None:
     pieces = iter([Cost(1, 8), Cost(3, 8), Cost(9, 2), Cost(9, 4)] * 2)
 
