@@ -145,7 +145,7 @@ struct ShotSummary {
                   field("goalieMoved", &ShotSummary::goalieMoved, "mm",
                         "how far the goalie was from where it stood at first, at most"),
                   field("goalieAction", &ShotSummary::goalieAction, "",
-                        "special action that the goalie performed; empty: none"),
+                        "special action that the goalie began; empty: none"),
                   field("end", &ShotSummary::end)};
   }
 };

@@ -30,7 +30,7 @@ void ShotWatch::begin(const PlayMoment& moment, TeamColor shooter) {
   shot.origin = moment.ball.position;
   shot.speed = moment.ball.speed.norm();
   running_ = Running{shot, goalie ? goalie->position : Vector2d{Vector2d::Zero()},
-                     moment.ball.lastTouched};
+                     std::string{goalie ? goalie->action : ""}, moment.ball.lastTouched};
 }
 
 void ShotWatch::follow(const PlayMoment& moment, Running& running) {
@@ -42,7 +42,8 @@ void ShotWatch::follow(const PlayMoment& moment, Running& running) {
   const BallState& ball = moment.ball;
   if (const PlayMoment::Robot* goalie = moment.goalie(opponent(shot.team))) {
     shot.goalieMoved = std::max(shot.goalieMoved, (goalie->position - running.goalie).norm());
-    if (shot.goalieAction.empty()) shot.goalieAction = goalie->action;
+    if (shot.goalieAction.empty() && goalie->action != running.action)
+      shot.goalieAction = goalie->action;
   }
   const bool isTouched = ball.lastToucher >= 0 && ball.lastTouched > running.lastTouch;
   if (isTouched && ball.lastToucher != shot.robot) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <string>
 
 #include "match/PlayFigures.h"
 #include "match/PlayMoment.h"
@@ -26,6 +27,7 @@ class ShotWatch {
   struct Running {
     ShotSummary shot;
     Vector2d goalie = Vector2d::Zero();  ///< where it stood at first
+    std::string action;                  ///< which special action it performed then
     Time lastTouch = never();            ///< when the ball was touched last before
     Time ended = never();                ///< when it was stopped; it may go in nevertheless
   };

@@ -49,6 +49,19 @@ TEST_F(ShotWatchTest, FollowsAShotIntoTheGoal) {
   EXPECT_EQ(figure("blue.shots"), 0);
 }
 
+TEST_F(ShotWatchTest, CountsWhatAGoalieBeginsToDo) {
+  for (const char* action : {"readyToBlock", "blockRight"}) {
+    moment.robots[1].action = "readyToBlock";
+    shoot({1500, 100});
+    moment.robots[1].action = action;
+    see(watch);
+    watch.goal(TeamColor::red);
+  }
+  ASSERT_EQ(watch.shots().size(), 2u);
+  EXPECT_EQ(watch.shots().front().goalieAction, "");
+  EXPECT_EQ(watch.shots().back().goalieAction, "blockRight");
+}
+
 TEST_F(ShotWatchTest, KnowsWhoStopsABall) {
   for (const auto role : {DynamicRole::goalie, DynamicRole::striker}) {
     moment.robots[1].role = role;
