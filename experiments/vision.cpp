@@ -196,7 +196,6 @@ struct Eyes {
   std::vector<DefaultSensorDataProcessor> sensorDataProcessors;
   std::vector<FoundPercepts> percepts;
   Processor imageProcessor;
-  OdometryData odometry;
   CameraMatrix matrix;
   BodyPercept body;
   PsdPercept psd;
@@ -204,12 +203,13 @@ struct Eyes {
   void look(const GameView& view, bool trueCamera) {
     FoundPercepts& found = percepts[view.robot];
     // Twice, to know how the robot walks.
-    for (const Time time : {Time{view.image.time.ms - tickMs}, view.image.time}) {
-      odometry.pose = odometry.pose * view.step;
+    const std::array odometry{OdometryData{view.odometry * view.step.inverse()},
+                              OdometryData{view.odometry}};
+    for (std::size_t i = 0; i < odometry.size(); ++i)
       sensorDataProcessors[view.robot].update(
-          {time}, view.sensors, view.image, RobotDimensions{}, RobotCalibration{}, MotionInfo{},
-          odometry, Previous<LandmarksPercept>{found.landmarks}, matrix, body, psd);
-    }
+          {view.image.time - (i == 0 ? tickMs : 0)}, view.sensors, view.image, RobotDimensions{},
+          RobotCalibration{}, MotionInfo{}, odometry[i],
+          Previous<LandmarksPercept>{found.landmarks}, matrix, body, psd);
     if (trueCamera) matrix = view.camera;
     imageProcessor(view.image, matrix, found);
   }

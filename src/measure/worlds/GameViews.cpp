@@ -46,13 +46,15 @@ class GameViews::Body : public RobotController {
     output.joints.angles[Joint::headTilt] = turn(tilt_, headTilt, most.headTiltSpeed);
     output.joints.angles[Joint::headPan] = turn(pan_, headPan, most.headPanSpeed);
     output.joints.angles[Joint::headRoll] = 0;
-    output.odometry.pose = output.odometry.pose * step;
+    odometry = odometry * step;
+    output.odometry.pose = odometry;
   }
 
   bool walks = false;
   Pose2D speed;                      ///< mm/s, rad/s: if it walks.
   JointAngles stance;                ///< rad: of the legs, if it stands.
   double headTilt = 0, headPan = 0;  ///< rad, where the head turns to.
+  Pose2D odometry;                   ///< Of all ticks.
   Pose2D step;                       ///< Of the last tick.
 
  private:
@@ -163,6 +165,7 @@ void GameViews::run(std::size_t ticks) {
 const GameView& GameViews::look(std::size_t robot, const CameraEffects& effects) {
   view_.robot = robot;
   view_.sensors = simulation_->input(robot).sensors;
+  view_.odometry = bodies_[robot]->odometry;
   view_.step = bodies_[robot]->step;
   simulation_->setCamera(robot, effects);
   simulation_->takeImage(robot, renderer_, view_.image, &view_.truth);

@@ -16,7 +16,8 @@ struct GameView {
   Image image;
   ImageTruth truth;
   SensorDataBuffer sensors;
-  Pose2D step;          ///< How far the robot believes to have walked in the last tick.
+  Pose2D odometry;      ///< Where the robot believes to have walked to in all ticks,
+  Pose2D step;          ///< and in the last one.
   CameraMatrix camera;  ///< The true one.
 };
 

@@ -89,6 +89,35 @@ TEST(GameViews, CamerasErrAsMuchAsThoseOfRobotsThatWalkInASimulation) {
   }
 }
 
+TEST(GameViews, OdometryIsEachRobotsOwn) {
+  constexpr double perfect = 1e-9;
+  const SceneDescription scene = *loadScene(DataRoot{}.path("scenes/match.scene"));
+  auto views = *GameViews::make(DataRoot{}, scene, 1);
+  views.shuffle();
+  const auto odometryOfAll = [&] {
+    std::vector<Pose2D> odometry;
+    for (std::size_t i = 0; i < views.world().activeRobots(); ++i)
+      odometry.push_back(views.look(i, scene.camera).odometry);
+    return odometry;
+  };
+  const std::vector<Pose2D> before = odometryOfAll();
+  views.waitForImage();
+  const std::vector<Pose2D> after = odometryOfAll();
+  int walking = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const Pose2D walked = after[i].relativeTo(before[i]);
+    const Pose2D step = views.look(i, scene.camera).step;
+    if (speedOf(step) == 0) {
+      EXPECT_LT(walked.translation.norm(), perfect);
+      continue;
+    }
+    ++walking;
+    EXPECT_NEAR(walked.rotation, 5 * step.rotation, 0.01);
+    EXPECT_LT((walked.translation - 5 * step.translation).norm(), 3);
+  }
+  EXPECT_GT(walking, 0);
+}
+
 /// All that some moments show to all robots.
 std::uint64_t fingerprintOf(const SceneDescription& scene) {
   auto views = *GameViews::make(DataRoot{}, scene, 1);
