@@ -60,8 +60,11 @@ void GT2003ImageProcessor::findPlaces(const CameraImage& picture, const FieldDim
   flagSpecialist_.find(picture, scanner_.flags, field, found.landmarks);
   goalSpecialist_.find(picture, scanner_.goals, field, found.landmarks);
   edgeScanner_.finish(found.lines);
-  playerSpecialist_.find(picture, scanner_.players, found.players);
-  findFreeGround(picture, found.obstacles);
+  const CameraMatrix& corrected =
+      tiltCorrection_.correct(picture.matrix, found.ball, found.landmarks, field);
+  const CameraImage level{picture.image, picture.colors, corrected, picture.horizon, picture.paths};
+  playerSpecialist_.find(level, scanner_.players, found.players);
+  findFreeGround(level, found.obstacles);
 }
 
 void GT2003ImageProcessor::findFreeGround(const CameraImage& picture,

@@ -13,6 +13,7 @@
 #include "modules/perception/specialists/FlagSpecialist.h"
 #include "modules/perception/specialists/GoalSpecialist.h"
 #include "modules/perception/specialists/PlayerSpecialist.h"
+#include "modules/perception/specialists/TiltCorrection.h"
 #include "representations/infrastructure/FieldDimensions.h"
 
 namespace gt {
@@ -75,6 +76,7 @@ class GT2003ImageProcessor {
   GoalSpecialist goalSpecialist_;
   EdgeScanner edgeScanner_;
   PlayerSpecialist playerSpecialist_;
+  TiltCorrection tiltCorrection_;
   std::vector<ScanPath> paths_;  ///< Of the specialists, if somebody wants to see them.
 };
 
