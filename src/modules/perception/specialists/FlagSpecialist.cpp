@@ -24,22 +24,26 @@ void FlagSpecialist::find(const CameraImage& picture, std::span<const FlagIndica
   cluster(picture, indications);
   std::array<int, 6> found{};  // Votes of the flags found, to keep the better one of two.
   for (std::size_t i = 0; i < used_; ++i) {
-    const Cluster& c = clusters_[i];
-    const auto best = std::max_element(c.votes.begin(), c.votes.end());
-    if (std::count(c.votes.begin(), c.votes.end(), *best) > 1) continue;
-    const auto type = static_cast<std::size_t>(best - c.votes.begin());
-    if (*best <= found[type]) continue;
-    FlagPercept flag;
-    flag.type = static_cast<FlagType>(type);
-    if (!measure(picture, c.sums[type] / *best, field, flag)) continue;
-    FlagPercept* place = nullptr;
-    for (int k = 0; k < percept.numberOfFlags; ++k)
-      if (percept.flags[static_cast<std::size_t>(k)].type == flag.type)
-        place = &percept.flags[static_cast<std::size_t>(k)];
-    if (!place) place = &percept.flags[static_cast<std::size_t>(percept.numberOfFlags++)];
-    *place = flag;
-    found[type] = *best;
+    Cluster& c = clusters_[i];
+    // Somebody behind a flag may make another one of it, which fails when it is measured.
+    for (auto best = c.votes.begin(); *(best = std::ranges::max_element(c.votes)) > 0; *best = 0) {
+      const auto type = static_cast<std::size_t>(best - c.votes.begin());
+      FlagPercept flag;
+      flag.type = static_cast<FlagType>(type);
+      if (!measure(picture, c.sums[type] / *best, field, flag)) continue;
+      if (*best > found[type]) keep(flag, percept);
+      found[type] = std::max(found[type], *best);
+      break;
+    }
   }
+}
+
+void FlagSpecialist::keep(const FlagPercept& flag, LandmarksPercept& percept) {
+  std::size_t i = 0;
+  const auto known = static_cast<std::size_t>(percept.numberOfFlags);
+  while (i < known && percept.flags[i].type != flag.type) ++i;
+  percept.flags[i] = flag;
+  if (i == known) ++percept.numberOfFlags;
 }
 
 void FlagSpecialist::cluster(const CameraImage& picture,
@@ -78,7 +82,7 @@ bool FlagSpecialist::measure(const CameraImage& picture, const Vector2d& start,
   m.lower = m.pinkAbove ? m.other : m.pink;
   if (!picture.contains(start) || !measureHeights(picture, start, m)) return false;
   if (!scanWidth(picture, start, m)) return false;
-  if (!isSolid(picture, start, m)) return false;
+  if (!isSolid(picture, start, m) || !standsOnPole(picture, start, m)) return false;
   scanColumns(picture, start, m);
   const double tolerance = sameEdge / picture.matrix.info.focalX;
   const auto left = left_.merge(1, tolerance, straight),
@@ -100,9 +104,14 @@ bool FlagSpecialist::measureHeights(const CameraImage& picture, const Vector2d& 
   m.aboveOnBorder = above.onBorder;
   m.belowOnBorder = below.onBorder;
   if (std::min(m.heightAbove, m.heightBelow) < 1) return false;
+  // Somebody behind a flag may wear its upper color, which then seems to go on.
+  constexpr double goesOn = 1.4;
+  if (m.heightAbove > goesOn * m.heightBelow + 1 && !m.belowOnBorder) {
+    m.heightAbove = m.heightBelow;
+    m.aboveOnBorder = m.aboveGoesOn = true;
+  }
   // Both colors are equally high, as far as they are in the image.
   constexpr double mostUneven = 2.5;
-  if (m.heightAbove > mostUneven * m.heightBelow && !m.belowOnBorder) return false;
   return m.heightBelow <= mostUneven * m.heightAbove || m.aboveOnBorder;
 }
 
@@ -116,15 +125,18 @@ void FlagSpecialist::scanRows(const CameraImage& picture, const Vector2d& start,
     const ColorEdge left = picture.findEdge(p, -along, colors, maxGap);
     const ColorEdge right = picture.findEdge(p, along, colors, maxGap);
     const double l = along.dot(left.point - start), r = along.dot(right.point - start);
-    // Behind a part of the flag there may be more of its color: pink, scanned first, is rare.
+    // Behind the upper part of a flag there may be more of its color.
     constexpr double margin = 2;
     const bool first = widest == 0;
-    if (!first && (l < leftmost_ - margin || r > rightmost_ + margin)) continue;
-    leftmost_ = first ? l : std::min(leftmost_, l);
-    rightmost_ = first ? r : std::max(rightmost_, r);
+    if (first || l >= leftmost_ - margin) {
+      leftmost_ = first ? l : std::min(leftmost_, l);
+      left_.add(azimuth(picture.ray(left.point)), left.onBorder);
+    }
+    if (first || r <= rightmost_ + margin) {
+      rightmost_ = first ? r : std::max(rightmost_, r);
+      right_.add(azimuth(picture.ray(right.point)), right.onBorder);
+    }
     widest = rightmost_ - leftmost_;
-    left_.add(azimuth(picture.ray(left.point)), left.onBorder);
-    right_.add(azimuth(picture.ray(right.point)), right.onBorder);
   }
 }
 
@@ -133,31 +145,52 @@ bool FlagSpecialist::scanWidth(const CameraImage& picture, const Vector2d& start
   left_.clear();
   right_.clear();
   double widest = 0;
-  scanRows(picture, start, m.pinkAbove ? -m.heightAbove : m.heightBelow, m.pink, widest);
   // Green cannot always be distinguished from the background (report 3.2.4).
-  if (!m.otherIsGreen)
-    scanRows(picture, start, m.pinkAbove ? m.heightBelow : -m.heightAbove, m.other, widest);
+  if (!m.otherIsGreen || !m.pinkAbove) scanRows(picture, start, m.heightBelow, m.lower, widest);
+  if (!m.otherIsGreen || m.pinkAbove) scanRows(picture, start, -m.heightAbove, m.upper, widest);
   return !left_.empty() && widest >= 1.5;
 }
 
-// Blurred edges between other colors look like a flag's, but not like both of its fields.
+// Of nine places between the flag's sides, `height` high from `from` on (pixels down from the
+// start).
+FlagSpecialist::Places FlagSpecialist::look(const CameraImage& picture, const Vector2d& start,
+                                            double from, double height, ColorSet colors) const {
+  Places places;
+  for (const double down : parts)
+    for (const double across : parts) {
+      const Vector2d p = start + picture.horizon.down * (from + height * down) +
+                         picture.horizon.along * (leftmost_ + (rightmost_ - leftmost_) * across);
+      if (!picture.contains(p)) continue;
+      ++places.inside;
+      places.colored += colors.contains(picture.classAt(p)) ? 1 : 0;
+    }
+  return places;
+}
+
+// Blurred edges between other colors look like a flag's, but not like both of its fields; where a
+// red tricot begins, blur looks pink.
 bool FlagSpecialist::isSolid(const CameraImage& picture, const Vector2d& start,
                              const Measurement& m) const {
   for (const bool upper : {true, false}) {
-    const double end = upper ? -m.heightAbove : m.heightBelow;
-    const ColorSet& colors = upper ? m.upper : m.lower;
-    int inside = 0, right = 0;
-    for (const double down : parts)
-      for (const double across : parts) {
-        const Vector2d p = start + picture.horizon.down * (end * down) +
-                           picture.horizon.along * (leftmost_ + (rightmost_ - leftmost_) * across);
-        if (!picture.contains(p)) continue;
-        ++inside;
-        right += colors.contains(picture.classAt(p)) ? 1 : 0;
-      }
+    const double height = upper ? -m.heightAbove : m.heightBelow;
+    const auto [inside, right] = look(picture, start, 0, height, upper ? m.upper : m.lower);
     if (2 * right <= inside) return false;
+    if (upper == m.pinkAbove &&
+        look(picture, start, 0, height, ColorSet{ColorClass::red}).colored > 0)
+      return false;
   }
   return true;
+}
+
+// Below a flag is its white pole, or a robot before it: no other flag, no goal, no ground.
+bool FlagSpecialist::standsOnPole(const CameraImage& picture, const Vector2d& start,
+                                  const Measurement& m) const {
+  constexpr int most = 3, mostOfUncertain = 1;  // of nine places
+  constexpr ColorSet others{ColorClass::pink, ColorClass::yellow, ColorClass::skyblue,
+                            ColorClass::green, ColorClass::orange};
+  if (m.belowOnBorder) return true;
+  const auto [inside, wrong] = look(picture, start, m.heightBelow + 1, m.heightBelow, others);
+  return 9 * wrong <= (m.aboveGoesOn ? mostOfUncertain : most) * inside;
 }
 
 void FlagSpecialist::scanColumns(const CameraImage& picture, const Vector2d& start,
@@ -169,7 +202,9 @@ void FlagSpecialist::scanColumns(const CameraImage& picture, const Vector2d& sta
     const Vector2d p = start + along * (leftmost_ + (rightmost_ - leftmost_) * part);
     const Vector2d above = p - down * (m.heightAbove * 0.5);
     const Vector2d below = p + down * (m.heightBelow * 0.5);
-    if (picture.contains(above) && m.upper.contains(picture.classAt(above))) {
+    if (m.aboveGoesOn) {
+      top_.add(elevation(picture.ray(p - down * m.heightAbove)), true);
+    } else if (picture.contains(above) && m.upper.contains(picture.classAt(above))) {
       const ColorEdge top = picture.findEdge(above, -down, m.upper, maxGap);
       top_.add(elevation(picture.ray(top.point)), top.onBorder);
     }

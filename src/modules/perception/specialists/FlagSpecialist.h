@@ -27,16 +27,25 @@ class FlagSpecialist {
     bool pinkAbove = false, otherIsGreen = false;
     double heightAbove = 0, heightBelow = 0;  ///< Of the two colors from where they meet, pixels.
     bool aboveOnBorder = false, belowOnBorder = false;
+    bool aboveGoesOn = false;  ///< Beyond a flag's height.
+  };
+  /// How many of some places lie in the image, and have one of some colors.
+  struct Places {
+    int inside = 0, colored = 0;
   };
 
   void cluster(const CameraImage& picture, std::span<const FlagIndication> indications);
+  static void keep(const FlagPercept& flag, LandmarksPercept& percept);
   bool measure(const CameraImage& picture, const Vector2d& start, const FieldDimensions& field,
                FlagPercept& flag);
   bool measureHeights(const CameraImage& picture, const Vector2d& start, Measurement& m) const;
   void scanRows(const CameraImage& picture, const Vector2d& start, double offset, ColorSet colors,
                 double& widest);
   bool scanWidth(const CameraImage& picture, const Vector2d& start, const Measurement& m);
+  Places look(const CameraImage& picture, const Vector2d& start, double from, double height,
+              ColorSet colors) const;
   bool isSolid(const CameraImage& picture, const Vector2d& start, const Measurement& m) const;
+  bool standsOnPole(const CameraImage& picture, const Vector2d& start, const Measurement& m) const;
   void scanColumns(const CameraImage& picture, const Vector2d& start, const Measurement& m);
 
   std::array<Cluster, 16> clusters_;

@@ -18,6 +18,7 @@ class LikeAFlag : public DrawnBoxes {
   static Box board(double bottom, double top, ColorClass color, double halfWidth = half) {
     return {{x, -halfWidth, bottom}, {x + 10, halfWidth, top}, color};
   }
+  static Box pole(double higher = 0) { return board(0, 210 + higher, ColorClass::white); }
   int flags() {
     look(0, 0.1);
     return percepts_.landmarks.numberOfFlags;
@@ -59,7 +60,7 @@ TEST_F(FlagSpecialistTest, TellsAFlagsEdgeThatIsNotInTheImage) {
 
 TEST_F(LikeAFlag, StandsAtItsHeight) {
   for (const double higher : {0., 450.}) {
-    boxes_ = {board(210 + higher, middle + higher, ColorClass::yellow),
+    boxes_ = {pole(higher), board(210 + higher, middle + higher, ColorClass::yellow),
               board(middle + higher, 410 + higher, ColorClass::pink)};
     EXPECT_EQ(flags(), higher == 0) << higher;
   }
@@ -67,22 +68,42 @@ TEST_F(LikeAFlag, StandsAtItsHeight) {
 
 TEST_F(LikeAFlag, HasTwoFieldsOfTheSameWidth) {
   for (const double halfWidth : {half, half / 5}) {
-    boxes_ = {board(210, middle, ColorClass::green, halfWidth),
+    boxes_ = {pole(), board(210, middle, ColorClass::green, halfWidth),
               board(middle, 410, ColorClass::pink)};
     EXPECT_EQ(flags(), halfWidth == half) << "a square on a pole of " << 2 * halfWidth << " mm";
   }
 }
 
-// Far away, pink between two colors could be that of either flag.
-TEST_F(LikeAFlag, HasNoThirdColor) {
-  constexpr double far = 3000;
-  const auto add = [&](double bottom, ColorClass color) {
-    boxes_.push_back({{far, -half, bottom}, {far + 10, half, bottom + 100}, color});
-  };
-  add(210, ColorClass::skyblue);
-  add(middle, ColorClass::pink);
+// Pink between two colors belongs to the flag that stands on its pole, not on another color.
+TEST_F(LikeAFlag, IsTheOneThatStandsOnItsPole) {
+  boxes_ = {board(210, middle, ColorClass::skyblue), board(middle, 410, ColorClass::pink),
+            board(410, 510, ColorClass::yellow)};
+  EXPECT_EQ(flags(), 0) << "on green";
+  boxes_.push_back(pole());
+  ASSERT_EQ(flags(), 1);
+  EXPECT_EQ(percepts_.landmarks.flags[0].type, FlagType::pinkAboveSkyblue);
+}
+
+TEST_F(LikeAFlag, SomebodyBehindItInItsUpperColorIsNoPartOfIt) {
+  for (const bool pinkAbove : {false, true}) {
+    const ColorClass upper = pinkAbove ? ColorClass::pink : ColorClass::yellow;
+    boxes_ = {pole(),
+              board(210, middle, pinkAbove ? ColorClass::yellow : ColorClass::pink),
+              board(middle, 410, upper),
+              {{2200, -250, 300}, {2300, 120, 1000}, upper}};
+    ASSERT_EQ(flags(), 1) << enumName(upper);
+    const FlagPercept& flag = percepts_.landmarks.flags[0];
+    EXPECT_EQ(flag.type, pinkAbove ? FlagType::pinkAboveYellow : FlagType::yellowAbovePink);
+    EXPECT_NEAR(toDegrees(flag.angle), 0, 1);
+    EXPECT_NEAR(flag.distance, x, 150);
+  }
+}
+
+// Where a red tricot begins, blur looks pink.
+TEST_F(LikeAFlag, ItsPinkShowsNoRed) {
+  boxes_ = {pole(), board(210, middle, ColorClass::pink), board(middle, 410, ColorClass::yellow)};
   EXPECT_EQ(flags(), 1);
-  add(410, ColorClass::yellow);
+  boxes_.push_back({{x - 1, 17, 225}, {x, 33, 295}, ColorClass::red});
   EXPECT_EQ(flags(), 0);
 }
 
