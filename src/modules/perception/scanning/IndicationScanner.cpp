@@ -15,7 +15,8 @@ constexpr int minPink = 2;     // Pixels of each of a flag's colors.
 constexpr int minGoal = 3;     // Pixels of a goal's color.
 constexpr int minHidden = 8;   // The same, of a goal whose foot is hidden.
 constexpr int minRobot = 6;    // Pixels of a robot that hides a goal's foot,
-constexpr int nearRobot = 12;  // which begin so near below what is seen of the goal.
+constexpr int minTricot = 3;   // of which so many are tricot,
+constexpr int nearRobot = 12;  // and which begin so near below what is seen of the goal.
 constexpr int minBall = 2;     // Orange pixels.
 constexpr int maxToField = 6;  // Pixels from a goal's lower end to the green.
 
@@ -222,16 +223,19 @@ void IndicationScanner::cutOff(const CameraImage& picture, const FieldDimensions
 }
 
 // Below it comes a robot down to the green or the end of the line, and nothing that belongs to a
-// flag is near: what is seen above a wall is no goal. Gray is no sign of a robot: it is anywhere.
+// flag is near: what is seen above a wall is no goal. Gray is no sign of a robot, it is anywhere,
+// nor is black alone, as people's legs are.
 bool IndicationScanner::isHidden(const Stretch& goal) const {
   constexpr ColorSet flag{ColorClass::pink, ColorClass::white};
-  constexpr ColorSet robot{ColorClass::red, ColorClass::blue, ColorClass::black};
+  constexpr ColorSet tricots{ColorClass::red, ColorClass::blue};
   const int end = runs_[goal.last].end;
   if (goal.pixels < minHidden || runs_.back().end - end < maxToField) return false;
-  int body = 0;
-  for (std::size_t i = goal.last + 1; i < runs_.size() && runs_[i].begin - end < nearRobot; ++i)
-    if (robot.contains(runs_[i].color)) body += runs_[i].length();
-  if (body < minRobot) return false;
+  int black = 0, tricot = 0;
+  for (std::size_t i = goal.last + 1; i < runs_.size() && runs_[i].begin - end < nearRobot; ++i) {
+    if (tricots.contains(runs_[i].color)) tricot += runs_[i].length();
+    if (runs_[i].color == ColorClass::black) black += runs_[i].length();
+  }
+  if (tricot < minTricot || tricot + black < minRobot) return false;
   for (std::size_t i = goal.last + 1; i < runs_.size(); ++i) {
     if (flag.contains(runs_[i].color) && runs_[i].length() >= minPink) return false;
     if (runs_[i].color == ColorClass::green && runs_[i].length() >= minPink) break;

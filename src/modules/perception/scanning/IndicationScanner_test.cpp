@@ -92,7 +92,8 @@ TEST(IndicationScanner, AGoalWhoseFootIsHiddenNeedsARobotThere) {
     return column.scan(runs).goals.size();
   };
   EXPECT_EQ(goalsAbove({{red, 8}, {gray, 22}}), 1u);
-  EXPECT_EQ(goalsAbove({{gray, 10}, {black, 6}, {gray, 14}}), 1u);
+  EXPECT_EQ(goalsAbove({{red, 3}, {black, 3}, {gray, 24}}), 1u);
+  EXPECT_EQ(goalsAbove({{gray, 10}, {black, 6}, {gray, 14}}), 0u) << "black legs of people";
   EXPECT_EQ(goalsAbove({{gray, 30}}), 0u) << "a shirt above a wall in the shade";
   EXPECT_EQ(goalsAbove({{red, 5}, {gray, 25}}), 0u);
   EXPECT_EQ(goalsAbove({{gray, 14}, {red, 16}}), 0u) << "too far below";

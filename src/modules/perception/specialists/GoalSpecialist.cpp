@@ -10,12 +10,17 @@ namespace {
 constexpr int maxGap = 3;
 constexpr double sameEdge = 1.2;  // Pixels, as for flags.
 constexpr double straight = 0.5;  // The part of the rows that has to meet a post.
+constexpr double rim = 3;  // Pixels at the image's border, whose colors blur and light change.
 constexpr ColorSet robotColors{ColorClass::red, ColorClass::blue, ColorClass::black,
                                ColorClass::gray};
 // What is never seen where a goal meets the ground.
 constexpr ColorSet notBelow{ColorClass::red, ColorClass::blue, ColorClass::black, ColorClass::gray,
                             ColorClass::noColor};
 constexpr std::size_t minLines = 2;
+
+bool isAtRim(const CameraInfo& info, const Vector2d& p) {
+  return p.x() < rim || p.x() > info.width - rim || p.y() < rim || p.y() > info.height - rim;
+}
 
 // Where a robot begins the goal does not end.
 bool isHidden(const CameraImage& picture, const Vector2d& edge, const Vector2d& way,
@@ -73,9 +78,9 @@ void GoalSpecialist::scanRows(const CameraImage& picture, const GoalIndication& 
     const Vector2d p = from.top + (from.bottom - from.top) * part;
     if (!colors.contains(picture.classAt(p))) continue;
     const ColorEdge end = picture.findEdge(p, picture.horizon.along * -sign, colors, maxGap);
-    edge.add(
-        azimuth(picture.ray(end.point)),
-        end.onBorder || isHidden(picture, end.point, picture.horizon.along * -sign, robotColors));
+    edge.add(azimuth(picture.ray(end.point)),
+             end.onBorder || isAtRim(picture.image.info, end.point) ||
+                 isHidden(picture, end.point, picture.horizon.along * -sign, robotColors));
   }
 }
 

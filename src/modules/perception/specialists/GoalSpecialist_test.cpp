@@ -52,9 +52,9 @@ TEST_F(GoalBehindARobot, ARobotHidesTheFootOfAGoalButNotTheGoal) {
   EXPECT_NEAR(toDegrees(b.right), toDegrees(std::atan2(-310, 1410)), 1);
 }
 
-// What hides its foot must be a robot: a shirt above something gray is no goal.
-TEST_F(LikeAGoal, SomethingAboveAGrayBoxIsNone) {
-  for (const ColorClass color : {ColorClass::gray, ColorClass::blue}) {
+// What hides its foot must be a robot: a shirt above something gray, or black legs, is no goal.
+TEST_F(LikeAGoal, SomethingAboveAGrayOrBlackBoxIsNone) {
+  for (const ColorClass color : {ColorClass::gray, ColorClass::black, ColorClass::blue}) {
     boxes_ = {{{1500, -300, 0}, {1510, 300, 300}, ColorClass::skyblue},
               {{600, -200, 0}, {700, 150, 170}, color}};
     look(0, 0.05);

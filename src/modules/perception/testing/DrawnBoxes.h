@@ -39,7 +39,8 @@ class DrawnBoxes : public testing::Test {
                                  {ColorClass::red, {80, 110, 190}},
                                  {ColorClass::blue, {50, 170, 110}},
                                  {ColorClass::skyblue, {150, 175, 80}},
-                                 {ColorClass::gray, {130, 128, 128}}},
+                                 {ColorClass::gray, {130, 128, 128}},
+                                 {ColorClass::black, {12, 128, 128}}},
                                 {40, 128, 130}};
     return colors;
   }
