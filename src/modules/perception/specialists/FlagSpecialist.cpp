@@ -171,12 +171,13 @@ FlagSpecialist::Places FlagSpecialist::look(const CameraImage& picture, const Ve
 // red tricot begins, blur looks pink.
 bool FlagSpecialist::isSolid(const CameraImage& picture, const Vector2d& start,
                              const Measurement& m) const {
+  constexpr int mostRed = 2;  // of nine places
   for (const bool upper : {true, false}) {
     const double height = upper ? -m.heightAbove : m.heightBelow;
     const auto [inside, right] = look(picture, start, 0, height, upper ? m.upper : m.lower);
     if (2 * right <= inside) return false;
     if (upper == m.pinkAbove &&
-        look(picture, start, 0, height, ColorSet{ColorClass::red}).colored > 0)
+        look(picture, start, 0, height, ColorSet{ColorClass::red}).colored > mostRed)
       return false;
   }
   return true;
@@ -185,7 +186,7 @@ bool FlagSpecialist::isSolid(const CameraImage& picture, const Vector2d& start,
 // Below a flag is its white pole, or a robot before it: no other flag, no goal, no ground.
 bool FlagSpecialist::standsOnPole(const CameraImage& picture, const Vector2d& start,
                                   const Measurement& m) const {
-  constexpr int most = 3, mostOfUncertain = 1;  // of nine places
+  constexpr int most = 4, mostOfUncertain = 2;  // of nine places
   constexpr ColorSet others{ColorClass::pink, ColorClass::yellow, ColorClass::skyblue,
                             ColorClass::green, ColorClass::orange};
   if (m.belowOnBorder) return true;

@@ -103,7 +103,7 @@ TEST_F(LikeAFlag, SomebodyBehindItInItsUpperColorIsNoPartOfIt) {
 TEST_F(LikeAFlag, ItsPinkShowsNoRed) {
   boxes_ = {pole(), board(210, middle, ColorClass::pink), board(middle, 410, ColorClass::yellow)};
   EXPECT_EQ(flags(), 1);
-  boxes_.push_back({{x - 1, 17, 225}, {x, 33, 295}, ColorClass::red});
+  boxes_.push_back({{x - 1, 17, 205}, {x, 33, 305}, ColorClass::red});
   EXPECT_EQ(flags(), 0);
 }
 
