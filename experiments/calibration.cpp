@@ -34,9 +34,10 @@ class Watcher : public RobotController {
     if (!input.image || ticks_ % ticksBetween < ticksToGetThere) return;
     Image image = *input.image;
     image.info = believed_;
-    sensorDataProcessor_.update(
-        {input.now}, input.sensors, image, RobotDimensions{}, RobotCalibration{}, MotionInfo{},
-        OdometryData{}, Previous<LandmarksPercept>{percepts_.landmarks}, matrix_, body_, psd_);
+    sensorDataProcessor_.update({input.now}, input.sensors, image, RobotDimensions{},
+                                RobotCalibration{}, FieldDimensions{}, MotionInfo{}, OdometryData{},
+                                Previous<LandmarksPercept>{percepts_.landmarks}, matrix_, body_,
+                                psd_);
     detector_.update(image, matrix_, input.sensors, RobotDimensions{}, RobotCalibration{},
                      percepts_, debug_);
     found_ += detector_.corners().empty() ? 0 : 1;

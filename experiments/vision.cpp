@@ -208,7 +208,7 @@ struct Eyes {
     for (std::size_t i = 0; i < odometry.size(); ++i)
       sensorDataProcessors[view.robot].update(
           {view.image.time - (i == 0 ? tickMs : 0)}, view.sensors, view.image, RobotDimensions{},
-          RobotCalibration{}, MotionInfo{}, odometry[i],
+          RobotCalibration{}, FieldDimensions{}, MotionInfo{}, odometry[i],
           Previous<LandmarksPercept>{found.landmarks}, matrix, body, psd);
     if (trueCamera) matrix = view.camera;
     imageProcessor(view.image, matrix, found);

@@ -28,8 +28,8 @@ CameraMatrix measure(const GameView& view) {
   for (const Time time : {view.image.time - tickMs, view.image.time}) {
     odometry.pose = odometry.pose * view.step;
     processor.update({time}, view.sensors, view.image, RobotDimensions{}, RobotCalibration{},
-                     MotionInfo{}, odometry, Previous<LandmarksPercept>{landmarks}, matrix, body,
-                     psd);
+                     FieldDimensions{}, MotionInfo{}, odometry,
+                     Previous<LandmarksPercept>{landmarks}, matrix, body, psd);
   }
   return matrix;
 }

@@ -51,7 +51,7 @@ class SimulatedWalker::Body : public RobotController {
  private:
   void look(const RobotInput& input) {
     sensorDataProcessor_.update({input.now}, input.sensors, *input.image, RobotDimensions{},
-                                RobotCalibration{}, motion_, odometry,
+                                RobotCalibration{}, FieldDimensions{}, motion_, odometry,
                                 Previous<LandmarksPercept>{landmarks}, matrix, body_, psd_);
     imageProcessor_.update(*input.image, matrix, colors_, FieldDimensions{},
                            {ball_, landmarks, lines, players_, obstacles_}, debug_);

@@ -140,12 +140,13 @@ Vector3d averageAcceleration(const SensorDataBuffer& sensors, int ticks) {
 void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorDataBuffer& sensors,
                                         const Image& image, const RobotDimensions& robot,
                                         const RobotCalibration& calibration,
-                                        const MotionInfo& motion, const OdometryData& odometry,
+                                        const FieldDimensions& field, const MotionInfo& motion,
+                                        const OdometryData& odometry,
                                         Previous<LandmarksPercept> landmarks, CameraMatrix& matrix,
                                         BodyPercept& body, PsdPercept& psd) {
   // On a log that holds percepts instead of images, those of this image have come already.
   if (landmarks->time == lastMatrix_.time) lastLandmarks_ = *landmarks;
-  delay_.learn(lastLandmarks_, lastMatrix_, odometry_, parameters.delayMemory);
+  delay_.learn(lastLandmarks_, lastMatrix_, odometry_, field, parameters.delayMemory);
   lastLandmarks_ = *landmarks;
   const SensorData& newest = sensors.newest();
   fusion_.parameters = parameters.posture;

@@ -54,7 +54,7 @@ class DefaultSensorDataProcessor {
   /// readings it is that of the last ones. The flags of the last image tell how old images are.
   void update(const FrameInfo& frame, const SensorDataBuffer& sensors, const Image& image,
               const RobotDimensions& robot, const RobotCalibration& calibration,
-              const MotionInfo& motion, const OdometryData& odometry,
+              const FieldDimensions& field, const MotionInfo& motion, const OdometryData& odometry,
               Previous<LandmarksPercept> landmarks, CameraMatrix& matrix, BodyPercept& body,
               PsdPercept& psd);
 

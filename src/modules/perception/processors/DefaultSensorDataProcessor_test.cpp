@@ -28,8 +28,8 @@ class DefaultSensorDataProcessorTest : public testing::Test {
     image_.time = now_;
   }
   void run() {
-    processor_.update({now_}, sensors_, image_, robot_, calibration_, motion_, odometry_,
-                      Previous<LandmarksPercept>{landmarks_}, matrix_, body_, psd_);
+    processor_.update({now_}, sensors_, image_, robot_, calibration_, FieldDimensions{}, motion_,
+                      odometry_, Previous<LandmarksPercept>{landmarks_}, matrix_, body_, psd_);
   }
 
   double legSpeed_ = 0;  ///< rad/s

@@ -10,13 +10,14 @@ constexpr std::int64_t longestGap = 120;  // ms between two images of a flag
 constexpr double mostOff = 0.25;          // rad: what differs by more is another thing
 constexpr double longestDelay = 0.05;     // s
 constexpr double angleNoise = 0.03;       // rad: of a flag's change while the robot walks
+constexpr double heightNoise = 0.025;     // rad: of a flag's elevation, which tilt and roll have
 constexpr double usualDelay = 0.02;       // s: standard deviation before anything is known
 constexpr double longestPause = 1000;     // ms that count as time in which to forget
 
 }  // namespace
 
 void ImageDelay::learn(const LandmarksPercept& landmarks, const CameraMatrix& matrix,
-                       const Pose2D& odometry, double memory) {
+                       const Pose2D& odometry, const FieldDimensions& field, double memory) {
   if (landmarks.time != matrix.time || landmarks.time == lastImage_ || !matrix.valid) return;
   const double pause =
       std::clamp(static_cast<double>(landmarks.time - lastImage_), 0., longestPause);
@@ -30,6 +31,7 @@ void ImageDelay::learn(const LandmarksPercept& landmarks, const CameraMatrix& ma
     const Sighting now{landmarks.time, flag.angle + seconds_ * turning, flag.distance, turning,
                        odometry};
     learn(last_[flag.type], now);
+    learnFromHeight(flag, matrix, field);
     last_[flag.type] = now;
   }
   const double prior = std::pow(angleNoise / usualDelay, 2);
@@ -45,6 +47,23 @@ void ImageDelay::learn(const Sighting& before, const Sighting& now) {
   const double faster = now.turning - before.turning;
   products_ += faster * off;
   squares_ += faster * faster;
+}
+
+void ImageDelay::learnFromHeight(const FlagPercept& flag, const CameraMatrix& matrix,
+                                 const FieldDimensions& field) {
+  const ConditionalBoundary& b = flag.boundary;
+  const double height = std::tan(b.top) - std::tan(b.bottom);
+  if (b.topOnBorder || b.bottomOnBorder || height <= 0) return;
+  const double distance = (field.flagTop - field.flagBottom) / height;
+  const double above = (field.flagTop + field.flagBottom) / 2 - matrix.pose.translation.z();
+  const double azimuth = (b.left + b.right) / 2, seen = (std::tan(b.top) + std::tan(b.bottom)) / 2;
+  const double rising =
+      matrix.turning.cross(Vector3d{std::cos(azimuth), std::sin(azimuth), seen}).z();
+  const double off = std::atan(seen) - std::atan2(above, distance) + seconds_ * rising;
+  if (std::abs(off) > mostOff) return;
+  const double weight = std::pow(angleNoise / heightNoise, 2);
+  products_ += weight * rising * off;
+  squares_ += weight * rising * rising;
 }
 
 }  // namespace gt

@@ -32,15 +32,45 @@ class LookingAround {
       landmarks_.flags[0].angle =
           angleOf(flag) + matrix_.turning.z() * (delay - known) + noise * random_.gaussian();
       landmarks_.flags[0].distance = flag.norm();
-      learned.learn(landmarks_, matrix_, odometry, 60000);
+      learned.learn(landmarks_, matrix_, odometry, field_, 60000);
     }
   }
 
  private:
   LandmarksPercept landmarks_;
   CameraMatrix matrix_;
+  FieldDimensions field_;
   Random random_{3};
 };
+
+// A camera that nods at 1 rad/s, up and down in turn, sees a flag's middle too high or too low.
+TEST(ImageDelay, IsLearnedFromTheHeightOfAFlagWhileTheHeadNods) {
+  const FieldDimensions field;
+  for (const double delay : {0., 0.01, 0.02}) {
+    ImageDelay learned;
+    LandmarksPercept landmarks;
+    CameraMatrix matrix;
+    Random random{3};
+    matrix.valid = true;
+    matrix.pose.translation.z() = 190;
+    for (int i = 0; i < 1000; ++i) {
+      matrix.time = landmarks.time = landmarks.time + 200;
+      const double upwards = i % 2 == 0 ? 1 : -1, distance = 1500;
+      matrix.turning.y() = -upwards;
+      const double known = learned.milliseconds() / 1000;
+      const double off = upwards * (delay - known) + 0.02 * random.gaussian();
+      landmarks.numberOfFlags = 1;
+      FlagPercept& flag = landmarks.flags[0];
+      flag.distance = distance;
+      flag.boundary.top = std::atan2(field.flagTop - 190, distance) + off;
+      flag.boundary.bottom = std::atan2(field.flagBottom - 190, distance) + off;
+      flag.boundary.leftOnBorder = flag.boundary.rightOnBorder = false;
+      flag.boundary.topOnBorder = flag.boundary.bottomOnBorder = false;
+      learned.learn(landmarks, matrix, {}, field, 60000);
+    }
+    EXPECT_NEAR(learned.milliseconds(), 1000 * delay, 2.5);
+  }
+}
 
 TEST(ImageDelay, IsLearnedFromFlagsWhileTheHeadTurns) {
   for (const double delay : {0., 0.01, 0.02}) {
@@ -69,7 +99,7 @@ TEST(ImageDelay, IsNotLearnedFromTheSameImageTwice) {
   for (int i = 0; i < 100; ++i) {
     matrix.turning.z() = i;
     landmarks.flags[0].angle = 0.05 * i;
-    delay.learn(landmarks, matrix, {}, 60000);
+    delay.learn(landmarks, matrix, {}, {}, 60000);
   }
   EXPECT_EQ(delay.milliseconds(), 0);
 }
