@@ -167,18 +167,13 @@ FlagSpecialist::Places FlagSpecialist::look(const CameraImage& picture, const Ve
   return places;
 }
 
-// Blurred edges between other colors look like a flag's, but not like both of its fields; where a
-// red tricot begins, blur looks pink.
+// Blurred edges between other colors look like a flag's, but not like both of its fields.
 bool FlagSpecialist::isSolid(const CameraImage& picture, const Vector2d& start,
                              const Measurement& m) const {
-  constexpr int mostRed = 2;  // of nine places
   for (const bool upper : {true, false}) {
     const double height = upper ? -m.heightAbove : m.heightBelow;
     const auto [inside, right] = look(picture, start, 0, height, upper ? m.upper : m.lower);
     if (2 * right <= inside) return false;
-    if (upper == m.pinkAbove &&
-        look(picture, start, 0, height, ColorSet{ColorClass::red}).colored > mostRed)
-      return false;
   }
   return true;
 }

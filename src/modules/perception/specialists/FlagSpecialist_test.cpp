@@ -99,13 +99,5 @@ TEST_F(LikeAFlag, SomebodyBehindItInItsUpperColorIsNoPartOfIt) {
   }
 }
 
-// Where a red tricot begins, blur looks pink.
-TEST_F(LikeAFlag, ItsPinkShowsNoRed) {
-  boxes_ = {pole(), board(210, middle, ColorClass::pink), board(middle, 410, ColorClass::yellow)};
-  EXPECT_EQ(flags(), 1);
-  boxes_.push_back({{x - 1, 17, 205}, {x, 33, 305}, ColorClass::red});
-  EXPECT_EQ(flags(), 0);
-}
-
 }  // namespace
 }  // namespace gt
