@@ -318,14 +318,8 @@ Result<Measurement> stumble(const Job& job, const DataRoot& root) {
   return measurement;
 }
 
-/// Lays a robot down, with its legs anywhere, until it rests. One that shall sit sits down.
+/// Lays a robot down, with its legs anywhere, until it rests.
 void layDown(MovedRobot& robot, Posture posture, Random& random) {
-  if (posture == Posture::sitting) {
-    robot.request.type = MotionType::specialAction;
-    robot.request.specialAction = "sit";
-    robot.run(1.5);
-    return;
-  }
   const double variety = 0.6 * random.uniform();  // rad
   for (const Leg leg : {Leg::foreRight, Leg::foreLeft, Leg::hindRight, Leg::hindLeft})
     for (int number = 1; number <= 3; ++number) {
@@ -344,6 +338,7 @@ Result<Measurement> getUp(const Job& job, const DataRoot& root) {
   auto made = walker(job, root, job.parameter("motions"), crowded ? 2 : 1);
   if (!made) return made.error();
   MovedRobot& robot = **made;
+  robot.standUp();
   const auto posture = *enumValue<Posture>(job.parameter("from"));
   const int attempts = static_cast<int>(job.number("attempts"));
   Random random = Random{job.seed}.fork("getUp");
