@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numeric>
+#include <utility>
 
 #include "ChangedRoot.h"
 #include "Experiments.h"
@@ -25,7 +26,25 @@ struct Kicked {
   Pose2D moved;                     ///< of the robot
   bool fell = false;
   bool overlaps = false;  ///< There is no room for the ball: the robot stands there.
+  double byHead = 0;      ///< Share of the ball's speed that it gained where the head alone pushed.
 };
+
+/// Whether the robot's head touches the ball, and no other part of it.
+bool touchesByHeadAlone(const World& world) {
+  const RobotParts& parts = world.parts(0);
+  bool byHead = false;
+  for (int i = 0; i < world.data().ncon; ++i) {
+    const mjContact& contact = world.data().contact[i];
+    const int first = world.model().geom_bodyid[contact.geom1];
+    const int second = world.model().geom_bodyid[contact.geom2];
+    if (first != world.ballBody(0) && second != world.ballBody(0)) continue;
+    const int other = first == world.ballBody(0) ? second : first;
+    const bool ofRobot = world.model().body_rootid[other] == parts.body;
+    if (ofRobot && other != parts.headBody) return false;
+    byHead |= ofRobot;
+  }
+  return byHead;
+}
 
 /// A robot in the middle of the field faces anywhere, walks some steps as it does on its way to a
 /// ball, and is asked for the kick; the ball is put down as the kick begins. When the robot stands
@@ -52,17 +71,21 @@ Kicked kick(MovedRobot& robot, const std::string& name, const Vector2d& place, R
   constexpr double pushed = 30;  // mm/s
   kicked.overlaps = robot.world().ball(0).speed.norm() > pushed;
   if (kicked.overlaps) return kicked;
-  double fastest = 0;
+  double fastest = 0, gained = 0, before = 0;  // mm/s
   const auto step = [&] {
     robot.step();
     kicked.seconds += tickSeconds;
     const double speed = robot.world().ball(0).speed.norm();
+    const double gain = std::max(0., speed - std::exchange(before, speed));
+    gained += gain;
+    if (touchesByHeadAlone(robot.world())) kicked.byHead += gain;
     if (speed > fastest) kicked.strike = kicked.seconds;
     fastest = std::max(fastest, speed);
   };
   robot.request = {};
   while (robot.motion().executed.type == MotionType::specialAction && kicked.seconds < longest)
     step();
+  if (gained > 0) kicked.byHead /= gained;
   kicked.moved = robot.body().pose.relativeTo(from);
   const BallState& ball = robot.world().ball(0);
   const double slowing = robot.simulation().scene().physics.deceleration;
@@ -91,7 +114,7 @@ void measure(MovedRobot& robot, const std::string& motion, const KickAim& aim, i
              Random& random, Measurement& measurement) {
   std::vector<double> lengths, astray, seconds;
   int falls = 0, missed = 0;
-  double moved = 0, turned = 0, ahead = 0;
+  double moved = 0, turned = 0, ahead = 0, byHead = 0;
   for (int i = 0; i < balls; ++i) {
     const Vector2d place = somewhere(aim, random);
     const Kicked kicked = kick(robot, motion, place, random);
@@ -103,6 +126,7 @@ void measure(MovedRobot& robot, const std::string& motion, const KickAim& aim, i
     ahead += kicked.way.dot(direction(fromDegrees(aim.direction))) / balls;
     moved += kicked.moved.translation.norm() / balls;
     turned += toDegrees(kicked.moved.rotation) / balls;
+    byHead += kicked.byHead / balls;
     if (length > touched)
       astray.push_back(toDegrees(normalize(angleOf(kicked.way) - fromDegrees(aim.direction))));
     else
@@ -115,6 +139,9 @@ void measure(MovedRobot& robot, const std::string& motion, const KickAim& aim, i
   measurement.add(name + ".missed", "%", share(missed), Aim::atMost(5));
   measurement.add(name + ".falls", "%", share(falls), Aim::atMost(2));
   measurement.add(name + ".seconds", "s", mean(seconds));
+  if (robot.simulation().scene().fidelity ==
+      Fidelity::dynamic)  // In the other one nothing touches.
+    measurement.add(name + ".byHead", "%", 100 * byHead);
   measurement.add(name + ".robot.moved", "mm", moved);
   measurement.add(name + ".robot.turned", "deg", turned);
   if (astray.empty()) return;
