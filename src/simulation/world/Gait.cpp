@@ -9,39 +9,74 @@ namespace gt {
 namespace {
 
 constexpr double usualSpeed = 200;  // mm/s: at which the swaying is that of the scene
-/// The exponent with which the swaying grows with the speed: hardly (`realism.sway`).
-constexpr double growth = 0.25;
-constexpr double usualLift = 25;  // mm (facts, 4)
-/// How long the irregular part of the swaying keeps its direction: half of a step.
+
+// How bodies sway in the dynamic fidelity, fitted to `realism.sway` with both walks that play uses
+// (docs/realism.md). With the feet: it rolls as soon as one diagonal is lifted, nods after how high
+// it is lifted, and rises and sinks less than the legs do.
+constexpr double rollLift = 8;                                                      // mm
+constexpr double rollTime = 0.02, nodTime = 0.03, heightTime = 0.08, meanTime = 1;  // s
+/// By which the body sinks while the robot stands and walks, as multiples of the scene's height.
+constexpr double sinkingStand = 1.3, sinkingWalk = 3, sinkingTime = 0.3;  // s
+/// The standard deviations of roll, nod (mm) and level in the walk `normal`.
+constexpr double usualRoll = 0.8, usualNod = 0.91, usualLevel = 0.28;
+constexpr double heightGrowth = 0.2;  ///< The exponent of the height's growth with the speed.
+/// Without rule: as shares of the above at the usual speed, growing with its fourth power.
+constexpr double irregularTilt = 0.19, irregularRoll = 0.09, irregularHeight = 0.27;
+constexpr double fastest = 1.8;  ///< Times the usual speed: no walk was measured beyond.
+/// How long the irregular part keeps its direction: half of a step.
 constexpr double wanderTime = 0.15;  // s
-/// The shares of the variance of a sine in step with the feet and of the irregular part.
-const double regular = std::sqrt(0.5) * std::sqrt(2.0), irregular = std::sqrt(0.5);
+
+/// Moves a number towards another one, a tick on.
+void approach(double& number, double other, double seconds) {
+  number += (1 - std::exp(-tickSeconds / seconds)) * (other - number);
+}
 
 }  // namespace
 
+void Gait::follow(double uneven, double height) {
+  const double leans = std::clamp(uneven / rollLift, -1., 1.);
+  approach(rolls_, leans, rollTime);
+  double lifted = std::abs(uneven);
+  for (double& nod : nods_) {
+    approach(nod, lifted, nodTime);
+    lifted = nod;
+  }
+  level_ = std::abs(leans);
+  approach(meanLevel_, level_, heightTime);
+  if (height_ < 0) height_ = height;
+  approach(height_, height, heightTime);
+}
+
 const Sway& Gait::sway(const BodyParameters& body, const std::array<double, 4>& lifts,
-                       double speed) {
+                       double height, double speed) {
   if (body.swayTilt == 0 && body.swayRoll == 0 && body.swayHeight == 0) return now_ = {};
   const double keep = std::exp(-tickSeconds / wanderTime);
   const double fresh = std::sqrt(1 - keep * keep);
   for (double* wander : {&wanderTilt_, &wanderRoll_, &wanderHeight_})
     *wander = keep * *wander + fresh * random_.gaussian();
-  const double strength = std::pow(std::min(speed / usualSpeed, 2.), growth);
-  const auto lifted = [&](double mm) { return std::clamp(mm / usualLift, -1.0, 1.0); };
-  // While the right legs' and the left legs' feet are lifted in turns, the body leans to the side
-  // that has less below it; fore and hind likewise.
-  const double right = lifts[0] + lifts[2], left = lifts[1] + lifts[3];
-  const double fore = lifts[0] + lifts[1], hind = lifts[2] + lifts[3];
+  // While diagonals are lifted in turns, the body leans to the side that has less below it;
+  // likewise if the feet of both sides are.
+  const double side = lifts[0] + lifts[2] - lifts[1] - lifts[3];
   const double diagonal = lifts[0] + lifts[3] - lifts[1] - lifts[2];
-  const double rolls =
-      lifted(std::abs(right - left) > std::abs(diagonal) ? right - left : diagonal);
-  const double tilts = lifted(hind - fore);
-  const auto part = [&](double amplitude, double inStep, double wander) {
-    return strength * amplitude * (regular * inStep + irregular * wander);
-  };
-  now_.tilt = part(fromDegrees(body.swayTilt), tilts, wanderTilt_);
-  now_.roll = part(fromDegrees(body.swayRoll), rolls, wanderRoll_);
-  now_.height = part(body.swayHeight, std::abs(rolls) - 0.5, wanderHeight_);
+  approach(sides_, std::abs(side), meanTime);
+  approach(diagonals_, std::abs(diagonal), meanTime);
+  follow(sides_ > diagonals_ ? side : diagonal, height);
+  approach(walks_, speed > 0 ? 1 : 0, sinkingTime);
+  now_ = {0, 0, -std::lerp(sinkingStand, sinkingWalk, walks_) * body.swayHeight};
+  if (speed == 0) {
+    height_ = height;
+    return now_;
+  }
+  const double times = std::min(speed / usualSpeed, fastest);
+  const double irregular = std::pow(times, 4);
+  now_.tilt += fromDegrees(body.swayTilt) *
+               ((nods_[3] - nods_[2]) / usualNod + irregularTilt * irregular * wanderTilt_);
+  now_.roll =
+      fromDegrees(body.swayRoll) * (rolls_ / usualRoll + irregularRoll * irregular * wanderRoll_);
+  now_.height +=
+      body.swayHeight * (std::pow(times, heightGrowth) * (meanLevel_ - level_) / usualLevel +
+                         irregularHeight * irregular * wanderHeight_);
+  if (body.swayHeight > 0) now_.height += height_ - height;
   return now_;
 }
 

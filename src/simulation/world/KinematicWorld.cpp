@@ -311,7 +311,8 @@ void KinematicWorld::setStance(std::size_t i, bool goesOn) {
       robot.footOnGround[leg] = lifts[leg] < 1;
     }
     Gait& gait = walking_[i].gait;
-    const Sway& sway = goesOn ? gait.sway(body_, lifts, walking_[i].speed) : gait.sway();
+    const Sway& sway =
+        goesOn ? gait.sway(body_, lifts, stance.height, walking_[i].speed) : gait.sway();
     robot.height = stance.height + sway.height;
     robot.tilt = stance.tilt + sway.tilt;
     robot.roll += sway.roll;
