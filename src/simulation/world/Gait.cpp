@@ -22,7 +22,7 @@ constexpr double usualRoll = 0.8, usualNod = 0.91, usualLevel = 0.28;
 constexpr double heightGrowth = 0.2;  ///< The exponent of the height's growth with the speed.
 /// Without rule: as shares of the above at the usual speed, growing with its fourth power.
 constexpr double irregularTilt = 0.19, irregularRoll = 0.09, irregularHeight = 0.27;
-constexpr double fastest = 1.8;  ///< Times the usual speed: no walk was measured beyond.
+constexpr double fastestWalk = 1.8;  ///< Times the usual speed: no walk was measured beyond.
 /// How long the irregular part keeps its direction: half of a step.
 constexpr double wanderTime = 0.15;  // s
 
@@ -67,7 +67,7 @@ const Sway& Gait::sway(const BodyParameters& body, const std::array<double, 4>& 
     height_ = height;
     return now_;
   }
-  const double times = std::min(speed / usualSpeed, fastest);
+  const double times = std::min(speed / usualSpeed, fastestWalk);
   const double irregular = std::pow(times, 4);
   now_.tilt += fromDegrees(body.swayTilt) *
                ((nods_[3] - nods_[2]) / usualNod + irregularTilt * irregular * wanderTilt_);
