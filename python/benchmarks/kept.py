@@ -18,6 +18,7 @@ from gt2003._intervals import mean_interval
 from verdicts import KINDS, Sample
 
 DIGITS = 6
+NOTHING = "nothing"  # counts as worse: the figure is not judged
 
 
 def rounded(value: float) -> float:
@@ -30,7 +31,8 @@ class Kept:
     """A figure of the file.
 
     interval: 95 %, of the mean (Student); empty if there is one run. seeds: in the order of the runs; empty if the runs have none.
-    seconds: processor time of the command, which may give other figures, too. worse: greater, less or different.
+    seconds: processor time of the command, which may give other figures, too. worse: greater, less, different, or nothing if it is
+    only quoted by pages.
     """
 
     name: str
@@ -62,7 +64,7 @@ def _check(figure: Kept, file: str) -> None:
         if not good:
             raise Error(what, file, field=f"{figure.name}.{name}")
 
-    check(figure.worse in KINDS, "worse", f"expected one of: {', '.join(KINDS)}")
+    check(figure.worse in (*KINDS, NOTHING), "worse", f"expected one of: {', '.join((*KINDS, NOTHING))}")
     check(re.fullmatch("[0-9a-f]{7,40}", figure.commit) is not None, "commit", "expected a commit")
     check(figure.seconds >= 0, "seconds", "expected 0 or more")
     check(len(figure.runs) == figure.n > 0, "n", f"there are {len(figure.runs)} runs")
@@ -137,15 +139,21 @@ class Measurement:
 
     seeds: a range, for a command that has the option --seeds. core: whether it belongs to the core set. calibrated: files of
     config/calibrated.cfg of which the figures tell whether they fit. recheck: arguments in the place of the seeds, with which some of the
-    figures are measured within seconds, where all of them take longer.
+    figures are measured within seconds, where all of them take longer. quoted: how names begin, of figures that are kept besides if a
+    page quotes them, and not judged.
     """
 
     command: str
-    figure: tuple[Measured, ...]
+    figure: tuple[Measured, ...] = ()
+    quoted: str = ""
     seeds: str = ""
     core: bool = False
     calibrated: tuple[str, ...] = ()
     recheck: str = ""
+
+    def gives(self, name: str) -> bool:
+        """Return whether a figure that a page quotes is one of the command's."""
+        return bool(self.quoted) and f"{name}.".startswith(f"{self.quoted}.")
 
 
 @dataclass(frozen=True)
@@ -161,6 +169,8 @@ def measurements(path: Path) -> tuple[Measurement, ...]:
     for i, measurement in enumerate(listed, 1):
         if not measurement.command.split():
             raise Error("expected a program with its arguments", file, field=f"measurement {i}.command")
+        if not measurement.figure and not measurement.quoted:
+            raise Error("gives no figures", file, field=f"measurement {i}")
         if measurement.recheck and not measurement.calibrated:
             raise Error("names no files of config/calibrated.cfg", file, field=f"measurement {i}.recheck")
         for figure in measurement.figure:

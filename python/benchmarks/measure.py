@@ -14,7 +14,7 @@ import os
 import resource
 import subprocess
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -27,6 +27,7 @@ from verdicts import Sample, chances, comparable, fits, verdicts
 ROOT = Path(__file__).resolve().parents[2]
 LIST = Path(__file__).with_name("measured.toml")
 FILE = ROOT / "docs/figures.json"
+FILL_PAGES = ROOT / "scripts/fill-pages"
 
 
 @dataclass(frozen=True)
@@ -45,6 +46,15 @@ def git(*arguments: str, root: Path = ROOT) -> str:
     return done.stdout.rstrip("\n")
 
 
+def quoted_by_pages() -> set[str]:
+    """Return the names of all figures that pages quote."""
+    pages = git("ls-files", "docs/*.md").splitlines()
+    done = subprocess.run([FILL_PAGES, "--names", *pages], cwd=ROOT, capture_output=True, text=True, check=False)
+    if done.returncode:
+        raise Error(done.stderr.strip().splitlines()[-1], field="scripts/fill-pages --names")
+    return set(done.stdout.split())
+
+
 def refuse_changes(file: Path, root: Path = ROOT) -> None:
     """Raise an Error if the tree has changes besides the file of figures itself."""
     changed = [line[3:] for line in git("status", "--porcelain", "--untracked-files=all", root=root).splitlines() if (root / line[3:]).resolve() != file.resolve()]
@@ -53,16 +63,21 @@ def refuse_changes(file: Path, root: Path = ROOT) -> None:
         raise Error(f"commit your changes first: {changed[0]}{others}", field="KEEP=1")
 
 
-def selected(listed: Sequence[Measurement], only: Sequence[str], core: bool) -> list[Measurement]:
-    """Return the measurements with those of their figures that begin with one of some names; all, if there are none."""
+def begins(name: str, starts: Sequence[str]) -> bool:
+    """Whether a name begins with the words of one of some names; of none, each does."""
+    return not starts or any(f"{name}.".startswith(f"{start}.") for start in starts)
 
-    def wanted(figure: Measured) -> bool:
-        return not only or any(f"{figure.name}.".startswith(f"{name}.") for name in only)
 
+def selected(listed: Sequence[Measurement], only: Sequence[str], core: bool, quoted: Iterable[str] = ()) -> list[Measurement]:
+    """Return the measurements that give figures which begin with one of some names (all, if there are none), with these of their figures.
+
+    quoted: names of figures besides those of the list.
+    """
     chosen = []
     for measurement in listed:
-        figures = tuple(filter(wanted, measurement.figure))
-        if figures and (measurement.core or not core):
+        figures = tuple(figure for figure in measurement.figure if begins(figure.name, only))
+        quotes = any(begins(name, only) and measurement.gives(name) for name in quoted)
+        if (figures or quotes) and (measurement.core or not core):
             chosen.append(replace(measurement, figure=figures))
     if not chosen:
         raise Error("no figures begin with this", field=f"ONLY={','.join(only)}")
@@ -123,35 +138,33 @@ def chance_of(measurement: Measurement, given: argparse.Namespace) -> list[str]:
     return ["--seeds", given.seeds or measurement.seeds] if measurement.seeds else []
 
 
-def measure(measurement: Measurement, given: argparse.Namespace, file: Path, commit: str) -> list[Kept]:
-    """Execute a command and return its figures."""
+def measure(measurement: Measurement, given: argparse.Namespace, file: Path, commit: str, quoted: set[str]) -> list[Kept]:
+    """Execute a command and return its figures, and those of its figures that pages quote."""
     seconds = write(measurement.command, chance_of(measurement, given), given.build.resolve(), file, ROOT)
     written = results(file, commit if given.keep else "")
     for figure in measurement.figure:
         if figure.name not in written:
             raise Error(f"is not measured by: {measurement.command}", field=figure.name)
-    figures = []
-    for figure in measurement.figure:
-        unit, sample = written[figure.name]
-        figures.append(kept.keep(figure.name, unit, figure.worse, measurement.command, seconds, commit, sample))
-    return figures
+    figures = {figure.name: figure.worse for figure in measurement.figure}
+    figures |= {name: kept.NOTHING for name in sorted(quoted & written.keys()) if measurement.gives(name)}
+    return [kept.keep(name, unit, worse, measurement.command, seconds, commit, sample) for name, worse in figures.items() for unit, sample in [written[name]]]
 
 
-def measure_all(chosen: Sequence[Measurement], file: Mapping[str, Kept], given: argparse.Namespace, commit: str) -> list[Row]:
+def measure_all(chosen: Sequence[Measurement], file: Mapping[str, Kept], given: argparse.Namespace, commit: str, quoted: set[str]) -> list[Row]:
     rows = []
     for i, measurement in enumerate(chosen, 1):
         print(f"{i}/{len(chosen)} {measurement.command}", file=sys.stderr, flush=True)
-        figures = measure(measurement, given, (given.out / f"{i}.json").resolve(), commit)
-        for now, figure in zip(figures, measurement.figure, strict=True):
+        tolerances = {figure.name: figure for figure in measurement.figure}
+        for now in measure(measurement, given, (given.out / f"{i}.json").resolve(), commit, quoted):
             before = file.get(now.name)
-            rows.append(Row(now, before, figure.tolerated(before.value) if before else 0))
+            rows.append(Row(now, before, tolerances[now.name].tolerated(before.value) if before and now.name in tolerances else 0))
     return rows
 
 
 def judge(rows: Sequence[Row]) -> list[str]:
-    """Return for each figure: better, same, worse; new if the file has none; few if one of both has a single run."""
-    said = ["few" if row.before else "new" for row in rows]
-    tested = [i for i, row in enumerate(rows) if row.before and comparable(row.before.sample, row.now.sample)]
+    """Return for each figure: better, same, worse; quoted if it is not judged; new if the file has none; few if one of both has a single run."""
+    said = ["quoted" if row.now.worse == kept.NOTHING else "few" if row.before else "new" for row in rows]
+    tested = [i for i, row in enumerate(rows) if row.before and row.now.worse != kept.NOTHING and comparable(row.before.sample, row.now.sample)]
     tests = [chances(row.before.sample, row.now.sample, row.now.worse, row.tolerance) for i in tested if (row := rows[i]).before]
     for i, verdict in zip(tested, verdicts(tests), strict=True):
         said[i] = verdict
@@ -170,7 +183,7 @@ def report(rows: Sequence[Row], said: Sequence[str]) -> None:
     print(f"{'figure':{width}} {'before':>18} {'now':>18} {'unit':9} n  verdict")
     for row, verdict in zip(rows, said, strict=True):
         print(f"{row.now.name:{width}} {shown(row.before):>18} {shown(row.now):>18} {row.now.unit:9} {row.now.n:<2} {verdict}")
-    counts = ", ".join(f"{said.count(v)} {v}" for v in ("better", "same", "worse", "new", "few") if v in said)
+    counts = ", ".join(f"{said.count(v)} {v}" for v in ("better", "same", "worse", "new", "few", "quoted") if v in said)
     seconds = {row.now.command: row.now.seconds for row in rows}
     print(f"{len(rows)} figures: {counts}; {sum(seconds.values()):.0f} s of the processor")
 
@@ -211,19 +224,22 @@ def run(given: argparse.Namespace) -> int:
     commit = git("rev-parse", "--short=12", "HEAD")
     listed, file = kept.measurements(given.list), kept.read(given.file)
     known = {figure.name for measurement in listed for figure in measurement.figure}
-    for name in file:
-        if name not in known:
+    for name, figure in file.items():
+        if name not in known and figure.worse != kept.NOTHING:
             raise Error(f"is not in {given.list}", str(given.file), field=name)
     if given.recheck:
         return recheck(listed, file, given)
     only = [name for name in given.only.split(",") if name]
-    chosen = selected(listed, only, given.core)
-    rows = measure_all(chosen, file, given, commit)
+    quoted = quoted_by_pages()
+    chosen = selected(listed, only, given.core, quoted - known)
+    rows = measure_all(chosen, file, given, commit, {name for name in quoted - known if begins(name, only)})
     said = judge(rows)
     report(rows, said)
     if given.keep:
         file = kept.read(given.file)  # others may have kept figures meanwhile
-        kept.write(given.file, (file | {row.now.name: row.now for row in rows}).values())
+        dropped = {name for name, figure in file.items() if figure.worse == kept.NOTHING and name not in quoted}
+        file |= {row.now.name: row.now for row in rows}
+        kept.write(given.file, [figure for name, figure in file.items() if name not in dropped])
         keep_fits(chosen, given)
         return 0
     return 1 if "worse" in said else 0

@@ -253,10 +253,7 @@ class Project:
         self.list.write_text(LIST)
         self.shift(0)
         self.git("init", "--quiet")
-        self.git("add", ".")
-        self.git("-c", "user.name=a", "-c", "user.email=a@a", "commit", "--quiet", "--message", "small")
-        self.head = self.git("rev-parse", "--short=12", "HEAD").strip()
-        self.program("walker", FAKE.format(calls=str(folder / "build/calls"), shift=str(folder / "build/shift"), commit=self.head))
+        self.commit()
         self.program("sizes", LINES.format(size=1000))
         self.program("simgt", f"#!/bin/sh\necho $* >>{folder}/build/kept\n")
         monkeypatch.setattr(measure, "ROOT", folder)
@@ -268,6 +265,13 @@ class Project:
 
     def git(self, *arguments: str) -> str:
         return subprocess.run(["git", *arguments], cwd=self.folder, check=True, capture_output=True, text=True).stdout
+
+    def commit(self) -> None:
+        """Commit all, and have the walker be of this commit."""
+        self.git("add", ".")
+        self.git("-c", "user.name=a", "-c", "user.email=a@a", "commit", "--quiet", "--message", "small")
+        self.head = self.git("rev-parse", "--short=12", "HEAD").strip()
+        self.program("walker", FAKE.format(calls=str(self.folder / "build/calls"), shift=str(self.folder / "build/shift"), commit=self.head))
 
     def program(self, name: str, text: str) -> None:
         (self.bin / name).write_text(text)
@@ -313,6 +317,37 @@ def test_what_is_kept_is_compared_from_then_on(project: Project) -> None:
     status, printed, _ = project.figures()
     assert status == 0 and verdict_of(printed, "walk.speed") == "better"
     assert kept.read(project.file) == figures  # nothing is written unless asked for
+
+
+PAGE = """<!-- figures: {walk.*}
+speed
+falls
+-->
+| | |
+| --- | --- |
+| speed | |
+| falls | |
+"""
+
+
+def test_what_pages_quote_is_kept_and_not_judged(project: Project) -> None:
+    project.list.write_text('[[measurement]]\ncommand = "walker"\nseeds = "1..6"\nquoted = "walk"\nfigure = [{name = "walk.speed", worse = "less"}]\n')
+    page = project.folder / "docs/page.md"
+    page.write_text(PAGE)
+    project.commit()
+    assert project.figures("--keep")[0] == 0
+    figures = kept.read(project.file)
+    assert {name: figure.worse for name, figure in figures.items()} == {"walk.speed": "less", "walk.falls": "nothing"}
+    assert figures["walk.falls"].n == 6
+    status, printed, _ = project.figures("--only", "walk.falls")
+    assert status == 0 and verdict_of(printed, "walk.falls") == "quoted" and "walk.speed" not in printed
+    assert project.figures("--only", "walk.other")[2].endswith("no figures begin with this")
+    assert project.figures("--only", "other")[2].endswith("no figures begin with this")
+
+    page.write_text("Nothing.\n")
+    project.commit()
+    assert project.figures("--keep", "--only", "walk.speed")[0] == 0
+    assert set(kept.read(project.file)) == {"walk.speed"}  # of no page, of no list
 
 
 def test_calibrated_files_fit_until_a_figure_is_worse(project: Project) -> None:
