@@ -17,6 +17,7 @@ constexpr std::int64_t initialMs = 1000;
 constexpr std::int64_t readyAtLeastMs = 4000;  // until robots that have to walk do walk
 constexpr std::int64_t standingMs = 1000;
 constexpr double standingMm = 15;
+constexpr double standingDegrees = 5, standingLegDegrees = 10;  // who cheers moves its legs
 constexpr double stuckMm = 50;
 /// A robot reaches this far around its middle, at most.
 constexpr double robotRadius = 150;
@@ -34,7 +35,7 @@ Referee::Referee(const GameParameters& parameters, const RuleParameters& rules,
       away_(players.size()),
       backAt_(players.size(), never()),
       kickOff_(parameters.kickOff),
-      lastPoses_(players.size()) {
+      lastSeen_(players.size()) {
   if (!parameters_.referee) state_ = GameState::playing;
   notifyRobots(Time{});
 }
@@ -119,11 +120,17 @@ void Referee::beginReady(World& world) {
 bool Referee::standing(const World& world) {
   bool moved = false;
   for (std::size_t i = 0; i < world.activeRobots(); ++i) {
-    const Pose2D& pose = world.robot(i).pose;
-    if ((pose.translation - lastPoses_[i].translation).norm() < standingMm &&
-        std::abs(normalize(pose.rotation - lastPoses_[i].rotation)) < fromDegrees(5))
-      continue;
-    lastPoses_[i] = pose;
+    const RobotBody &now = world.robot(i), &last = lastSeen_[i];
+    bool still =
+        (now.pose.translation - last.pose.translation).norm() < standingMm &&
+        std::abs(normalize(now.pose.rotation - last.pose.rotation)) < fromDegrees(standingDegrees);
+    for (std::size_t leg = 0; leg < enumCount<Leg>; ++leg)
+      for (int number = 1; number <= 3; ++number) {
+        const Joint joint = legJoint(static_cast<Leg>(leg), number);
+        still &= std::abs(now.joints[joint] - last.joints[joint]) < fromDegrees(standingLegDegrees);
+      }
+    if (still) continue;
+    lastSeen_[i] = now;
     moved = true;
   }
   if (moved) movedAt_ = world.time();

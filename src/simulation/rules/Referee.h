@@ -138,7 +138,7 @@ class Referee {
     int robot = -1;
     Time time = never();
   } shot_;  ///< The last ball on its way into the other team's goal, and whose it was.
-  std::vector<Pose2D> lastPoses_;
+  std::vector<RobotBody> lastSeen_;  ///< When each robot moved last.
   Time movedAt_;
   Vector2d ballReference_ = Vector2d::Zero();
   Time ballMovedAt_;

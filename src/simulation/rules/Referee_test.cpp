@@ -23,6 +23,16 @@ class RefereeMatch : public UnplayedMatch {
   }
 };
 
+TEST_F(RefereeMatch, WhoCheersIsNotYetAtItsPlace) {
+  ASSERT_TRUE(until(GameState::ready, 2));
+  for (int i = 0; i < 8000 / tickMs; ++i) {
+    commands_[2].joints[Joint::legFR1] = i * tickMs / 500 % 2 ? 0.5 : 0;
+    tick();
+  }
+  EXPECT_EQ(referee_->state(), GameState::ready);
+  EXPECT_TRUE(until(GameState::set, 3));
+}
+
 TEST_F(RefereeMatch, InitialReadySetPlaying) {
   EXPECT_EQ(referee_->dataFor(0).state, GameState::initial);
   ASSERT_TRUE(until(GameState::ready, 2));
