@@ -55,6 +55,7 @@ double reachDown(const mjModel& model, const mjData& data, int geom) {
 
 DynamicWorld::DynamicWorld(const SceneDescription& scene, Model model, const Random& random)
     : World(scene, std::move(model)),
+      noise_(scene.noise),
       ballParameters_(scene.physics),
       carpetSeed_(random.fork("carpet")()) {}
 
@@ -62,7 +63,7 @@ Result<std::unique_ptr<World>> DynamicWorld::make(const SceneDescription& scene,
                                                   const Random& random) {
   std::unique_ptr<DynamicWorld> world{new DynamicWorld{scene, std::move(model), random}};
   if (auto found = world->findParts(scene); !found) return found.error();
-  world->prepareModel();
+  world->prepareModel(random);
   world->prepareContacts();
   world->setDynamics(scene.dynamics);
   // As they stand up from the power-on pose: on straight legs.
@@ -73,14 +74,14 @@ Result<std::unique_ptr<World>> DynamicWorld::make(const SceneDescription& scene,
   return std::unique_ptr<World>{std::move(world)};
 }
 
-void DynamicWorld::prepareModel() {
+void DynamicWorld::prepareModel(const Random& random) {
   mjModel& model = *model_;
   model.opt.timestep = stepSeconds;
   model.opt.solver = mjSOL_NEWTON;  // three rounds on average, where the others need ten to twenty
   model.opt.gravity[2] = -gravity;
-  for (const RobotParts& parts : parts_) {
-    Motors motors;
-    motors.firstDof = model.body_dofadr[parts.body];
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    Motors motors{.noise = StepNoise{random.fork("steps " + std::to_string(i))}};
+    motors.firstDof = model.body_dofadr[parts_[i].body];
     for (std::size_t j = 0; j < enumCount<Joint>; ++j)
       motors.servos.emplace_back(static_cast<Joint>(j));
     motors_.push_back(std::move(motors));
@@ -120,6 +121,7 @@ void DynamicWorld::setFriction() {
 
 void DynamicWorld::change(const SceneDescription& scene) {
   World::change(scene);
+  noise_ = scene.noise;
   ballParameters_ = scene.physics;
   setFriction();
   setDynamics(scene.dynamics);
@@ -208,6 +210,8 @@ void DynamicWorld::step(std::span<const RobotCommand> commands) {
   holdRobots();
   putByHand();
   lookAround();
+  for (std::size_t i = 0; i < std::min(activeRobots(), commands.size()); ++i)
+    drag(i, possibleStep(commands[i].step));
   pullBalls();
   forgetContacts();
   for (int n = 0; n < stepsPerTick; ++n) {
@@ -255,6 +259,19 @@ void DynamicWorld::pullBalls() {
     for (int k = 0; k < 2; ++k)
       data_->xfrc_applied[6 * body + k] = rollingMass * model_->body_mass[body] * pull[k] / 1000;
   }
+}
+
+void DynamicWorld::drag(std::size_t robot, const Pose2D& step) {
+  if (placed_[robot] || robots_[robot].posture != Posture::standing) return;
+  const Pose2D drag = motors_[robot].noise.next(noise_, step);
+  mjtNum* pose = data_->qpos + parts_[robot].poseAddress;
+  const Vector2d way = rotated(drag.translation, robots_[robot].pose.rotation);
+  for (int k = 0; k < 2; ++k) pose[k] += way[k] / 1000;
+  const mjtNum up[3] = {0, 0, 1};
+  mjtNum turn[4], turned[4];
+  mju_axisAngle2Quat(turn, up, drag.rotation);
+  mju_mulQuat(turned, turn, pose + 3);
+  std::copy_n(turned, 4, pose + 3);
 }
 
 void DynamicWorld::holdRobots() {

@@ -4,14 +4,16 @@
 
 #include "simulation/world/Carpet.h"
 #include "simulation/world/Servo.h"
+#include "simulation/world/StepNoise.h"
 #include "simulation/world/World.h"
 
 namespace gt {
 
 /// The dynamic fidelity: servo motors, masses, contacts and friction move everything, by MuJoCo.
 /// Robots walk with their legs, kick with their bodies, can fall over and get up; what a robot
-/// believes to walk moves nothing. Geoms that touch others are those that the models mark by
-/// `contype`; the parts of one robot do not touch each other.
+/// believes to walk moves nothing, but the carpet drags at who walks (StepNoise). Geoms that touch
+/// others are those that the models mark by `contype`; the parts of one robot do not touch each
+/// other.
 class DynamicWorld : public World {
  public:
   static Result<std::unique_ptr<World>> make(const SceneDescription& scene, Model model,
@@ -24,8 +26,9 @@ class DynamicWorld : public World {
  private:
   /// A robot's motors, and what is to be known of it for measuring.
   struct Motors {
-    std::vector<Servo> servos;  ///< In the order of Joint.
-    std::vector<int> solidGeoms;
+    StepNoise noise;
+    std::vector<Servo> servos{};  ///< In the order of Joint.
+    std::vector<int> solidGeoms{};
     int firstDof = 0;  ///< Of the body; those of the joints follow it.
     Vector3d speed = Vector3d::Zero();
     /// Ticks for which its legs have rested since it was switched on; it is held until then.
@@ -40,7 +43,7 @@ class DynamicWorld : public World {
   bool ballOverlapsRobot(std::size_t ball, std::size_t robot) const override;
   bool ballOverlapsField(std::size_t ball) const override;
 
-  void prepareModel();
+  void prepareModel(const Random& random);
   void prepareContacts();
   void lookAround();
   /// Whether a wall comes nearer to a point of the field (mm) than a distance (mm), or about so.
@@ -51,6 +54,8 @@ class DynamicWorld : public World {
   void drive();
   /// Has the carpet's dents pull at balls that roll.
   void pullBalls();
+  /// Moves a robot as the carpet drags at it while it believes to make this step.
+  void drag(std::size_t robot, const Pose2D& step);
   void holdRobots();
   void putByHand();
   void putRobot(std::size_t i);
@@ -70,6 +75,7 @@ class DynamicWorld : public World {
   void slowDown(int poseAddress, int body);
   Vector3d speedOf(std::size_t robot) const;
 
+  NoiseParameters noise_;
   BallParameters ballParameters_;
   std::uint64_t carpetSeed_;
   DynamicsParameters dynamics_;  ///< As the model is now.

@@ -17,6 +17,9 @@ constexpr double rollLift = 8;                                                  
 constexpr double rollTime = 0.02, nodTime = 0.03, heightTime = 0.08, meanTime = 1;  // s
 /// By which the body sinks while the robot stands and walks, as multiples of the scene's height.
 constexpr double sinkingStand = 1.3, sinkingWalk = 3, sinkingTime = 0.3;  // s
+/// How it leans to its nose while the robot walks, and more if it walks ahead, less if back: as
+/// multiples of the scene's tilt.
+constexpr double leanWalk = 0.6, leanAhead = 1.05;
 /// The standard deviations of roll, nod (mm) and level in the walk `normal`.
 constexpr double usualRoll = 0.8, usualNod = 0.91, usualLevel = 0.28;
 constexpr double heightGrowth = 0.2;  ///< The exponent of the height's growth with the speed.
@@ -48,7 +51,7 @@ void Gait::follow(double uneven, double height) {
 }
 
 const Sway& Gait::sway(const BodyParameters& body, const std::array<double, 4>& lifts,
-                       double height, double speed) {
+                       double height, double speed, double ahead) {
   if (body.swayTilt == 0 && body.swayRoll == 0 && body.swayHeight == 0) return now_ = {};
   const double keep = std::exp(-tickSeconds / wanderTime);
   const double fresh = std::sqrt(1 - keep * keep);
@@ -62,7 +65,9 @@ const Sway& Gait::sway(const BodyParameters& body, const std::array<double, 4>& 
   approach(diagonals_, std::abs(diagonal), meanTime);
   follow(sides_ > diagonals_ ? side : diagonal, height);
   approach(walks_, speed > 0 ? 1 : 0, sinkingTime);
-  now_ = {0, 0, -std::lerp(sinkingStand, sinkingWalk, walks_) * body.swayHeight};
+  approach(walksAhead_, ahead, sinkingTime);
+  now_ = {-fromDegrees(body.swayTilt) * (leanWalk * walks_ + leanAhead * walksAhead_), 0,
+          -std::lerp(sinkingStand, sinkingWalk, walks_) * body.swayHeight};
   if (speed == 0) {
     height_ = height;
     return now_;

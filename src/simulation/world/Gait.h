@@ -20,9 +20,10 @@ class Gait {
 
   /// How the body sways in this tick: with the lifted feet, and without rule. `lifts` are the
   /// feet's heights above the lowest one (mm), in the order of Leg; `height` is where stiff legs
-  /// hold the body (mm); `speed` is the robot's (mm/s, a turn of 1 rad/s counts as 100 mm/s).
+  /// hold the body (mm); `speed` is the robot's (mm/s, a turn of 1 rad/s counts as 100 mm/s), and
+  /// `ahead` the share of it that is straight ahead (-1 to 1).
   const Sway& sway(const BodyParameters& body, const std::array<double, 4>& lifts, double height,
-                   double speed);
+                   double speed, double ahead);
   /// How it sways now.
   const Sway& sway() const { return now_; }
 
@@ -37,12 +38,12 @@ class Gait {
 
   Random random_;
   Sway now_;
-  double sides_ = 0, diagonals_ = 0;  ///< mm: how far they are lifted on average.
-  double rolls_ = 0;                  ///< -1 to 1, to the side with less below it.
-  std::array<double, 4> nods_{};      ///< mm: follow one another and how high feet are lifted.
-  double level_ = 0, meanLevel_ = 0;  ///< 0 to 1: how far one side is lifted.
-  double walks_ = 0;                  ///< 0 to 1
-  double height_ = -1;                ///< mm, as legs that give carry it; below 0: not yet known.
+  double sides_ = 0, diagonals_ = 0;   ///< mm: how far they are lifted on average.
+  double rolls_ = 0;                   ///< -1 to 1, to the side with less below it.
+  std::array<double, 4> nods_{};       ///< mm: follow one another and how high feet are lifted.
+  double level_ = 0, meanLevel_ = 0;   ///< 0 to 1: how far one side is lifted.
+  double walks_ = 0, walksAhead_ = 0;  ///< 0 to 1, -1 to 1
+  double height_ = -1;                 ///< mm, as legs that give carry it; below 0: not yet known.
   double wanderTilt_ = 0, wanderRoll_ = 0, wanderHeight_ = 0;  ///< Standard deviation 1.
   double slipsFor_ = 0;                                        ///< s
   double turning_ = 0;  ///< -1 to 1; 0: nothing is in the way.

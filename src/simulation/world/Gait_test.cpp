@@ -15,14 +15,15 @@ namespace {
 struct Swaying {
   RunningStatistics tilt, roll, height;  // deg, mm
 
-  Swaying(const BodyParameters& body, double speed, double lift = 11, double bobbing = 0) {
+  Swaying(const BodyParameters& body, double speed, double lift = 11, double bobbing = 0,
+          double ahead = 0) {
     constexpr int warmUp = 1000, ticks = 50'000, cycle = 33;
     Gait gait{Random{1}};
     for (int i = 0; i < ticks; ++i) {
       const double phase = 2 * pi * i / cycle, stance = 140 + bobbing * std::sin(2 * phase);
       const double first = std::max(0., lift * std::sin(phase));
       const double second = std::max(0., -lift * std::sin(phase));
-      const Sway& sway = gait.sway(body, {first, second, second, first}, stance, speed);
+      const Sway& sway = gait.sway(body, {first, second, second, first}, stance, speed, ahead);
       if (i < warmUp) continue;
       tilt.add(toDegrees(sway.tilt));
       roll.add(toDegrees(sway.roll));
@@ -57,10 +58,18 @@ TEST(Gait, TheBodyNodsFurtherTheHigherTheFeetAreLifted) {
 
 TEST(Gait, WalkingBodiesSinkAndStandingOnesLess) {
   const Swaying walk{swayingBody(), 200}, stand{swayingBody(), 0};
-  EXPECT_NEAR(walk.tilt.mean(), 0, 0.1);
   EXPECT_LT(walk.height.mean(), stand.height.mean() - 1);
   EXPECT_LT(stand.height.mean(), 140 - 1);
   EXPECT_EQ(stand.tilt.mean(), 0);
+}
+
+TEST(Gait, WalkingBodiesLeanToTheirNosesMostIfTheyWalkAhead) {
+  const auto lean = [](double speed, double ahead) {
+    return Swaying{swayingBody(), speed, 11, 0, ahead}.tilt.mean();
+  };
+  EXPECT_NEAR(lean(200, 1), -1.65, 0.05);
+  EXPECT_NEAR(lean(200, 0), -0.6, 0.05);
+  EXPECT_NEAR(lean(200, -1), 0.45, 0.05);
 }
 
 TEST(Gait, FastWalksSwayWithoutRule) {

@@ -41,23 +41,9 @@ Vector2d disc(const Pose2D& pose, double x) {
   return pose.translation + x * direction(pose.rotation);
 }
 
-bool finite(const Pose2D& pose) {
-  return std::isfinite(pose.rotation) && pose.translation.allFinite();
-}
-
 /// Without a file there are no kicks.
 Result<void> readKicks(const std::string& file, KickTable& kicks) {
   return std::filesystem::exists(file) ? readConfig(file, kicks) : Result<void>{};
-}
-
-/// A step of one tick, at most as long as a robot could ever make it.
-Pose2D limited(const Pose2D& step) {
-  constexpr double longest = 8, widestTurn = 0.1;
-  if (!finite(step)) return {};
-  Pose2D result{std::clamp(step.rotation, -widestTurn, widestTurn), step.translation};
-  if (const double length = step.translation.norm(); length > longest)
-    result.translation *= longest / length;
-  return result;
 }
 
 }  // namespace
@@ -69,10 +55,11 @@ KinematicWorld::KinematicWorld(const SceneDescription& scene, Model model, const
       walkingParameters_(scene.walking),
       ballPhysics_(scene.physics, *model_, random.fork("carpet")()) {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    Walking walking{.random = random.fork("walking " + std::to_string(i)),
+    Walking walking{.noise = StepNoise{random.fork("steps " + std::to_string(i))},
                     .gait = Gait{random.fork("gait " + std::to_string(i))}};
+    Random slip = random.fork("walking " + std::to_string(i));
     for (double* factor : {&walking.forward, &walking.sideways, &walking.turn})
-      *factor = 1 + noise_.slip * walking.random.symmetric();
+      *factor = 1 + noise_.slip * slip.symmetric();
     walking_.push_back(walking);
     kicking_.push_back({.from = {}, .random = random.fork("kicks " + std::to_string(i))});
   }
@@ -113,7 +100,7 @@ void KinematicWorld::step(std::span<const RobotCommand> commands) {
   }
   for (std::size_t i = 0; i < std::min(activeRobots(), commands.size()); ++i) {
     moveJoints(robots_[i], commands[i].joints);
-    walk(i, limited(commands[i].step));
+    walk(i, possibleStep(commands[i].step));
   }
   partRobots();
   for (std::size_t i = 0; i < robots_.size(); ++i) noteBlocked(i);
@@ -147,20 +134,15 @@ void KinematicWorld::walk(std::size_t i, const Pose2D& step) {
   const double length = step.translation.norm();
   constexpr double turnCounts = 100;  // mm/rad
   walking.speed = (length + turnCounts * std::abs(step.rotation)) / tickSeconds;
-  if (robot.posture != Posture::standing || (length == 0 && step.rotation == 0)) return;
-  // White noise: the standard deviation grows with the root of the path's length.
-  const double translationNoise = noise_.motion * 20 * std::sqrt(length / 1000);
-  const double rotationNoise =
-      noise_.motion * (fromDegrees(2) * std::sqrt(length / 1000) +
-                       fromDegrees(5) * std::sqrt(std::abs(step.rotation) / (2 * pi)));
+  walking.ahead = walking.speed > 0 ? step.translation.x() / tickSeconds / walking.speed : 0;
+  if (robot.posture != Posture::standing || walking.speed == 0) return;
   const double progress = walking.gait.progress(walkingParameters_, walking.speed);
-  Pose2D real;
-  real.translation = {progress * walking.forward * step.translation.x(),
-                      progress * walking.sideways * step.translation.y()};
-  real.translation.x() += translationNoise * walking.random.gaussian();
-  real.translation.y() += translationNoise * walking.random.gaussian();
-  real.rotation =
-      progress * walking.turn * step.rotation + rotationNoise * walking.random.gaussian();
+  Pose2D real{progress * walking.turn * step.rotation,
+              {progress * walking.forward * step.translation.x(),
+               progress * walking.sideways * step.translation.y()}};
+  const Pose2D noise = walking.noise.next(noise_, step);
+  real.translation += noise.translation;
+  real.rotation += noise.rotation;
   real.rotation += walking.gait.contactTurn(walkingParameters_, robot.blocked);
   robot.pose = robot.pose * real;
   ways_[i] = robot.pose.translation - from_[i];
@@ -312,7 +294,8 @@ void KinematicWorld::setStance(std::size_t i, bool goesOn) {
     }
     Gait& gait = walking_[i].gait;
     const Sway& sway =
-        goesOn ? gait.sway(body_, lifts, stance.height, walking_[i].speed) : gait.sway();
+        goesOn ? gait.sway(body_, lifts, stance.height, walking_[i].speed, walking_[i].ahead)
+               : gait.sway();
     robot.height = stance.height + sway.height;
     robot.tilt = stance.tilt + sway.tilt;
     robot.roll += sway.roll;

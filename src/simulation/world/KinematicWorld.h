@@ -5,6 +5,7 @@
 #include "representations/motion/KickTable.h"
 #include "simulation/world/BallPhysics.h"
 #include "simulation/world/Gait.h"
+#include "simulation/world/StepNoise.h"
 #include "simulation/world/World.h"
 
 namespace gt {
@@ -32,9 +33,10 @@ class KinematicWorld : public World {
   /// How a robot's steps differ from what it believes.
   struct Walking {
     double forward = 1, sideways = 1, turn = 1;
-    Random random;
+    StepNoise noise;
     Gait gait;
     double speed = 0;  ///< mm/s, as it believes; a turn of 1 rad/s counts as 100 mm/s.
+    double ahead = 0;  ///< The share of it that is straight ahead; below 0: straight back.
   };
 
   KinematicWorld(const SceneDescription& scene, Model model, const Random& random);

@@ -37,6 +37,15 @@ Posture postureOf(const Matrix3d& rotation) {
   return y > 0 ? Posture::onRightSide : Posture::onLeftSide;
 }
 
+Pose2D possibleStep(const Pose2D& step) {
+  constexpr double longest = 8, widestTurn = 0.1;
+  if (!std::isfinite(step.rotation) || !step.translation.allFinite()) return {};
+  Pose2D result{std::clamp(step.rotation, -widestTurn, widestTurn), step.translation};
+  if (const double length = step.translation.norm(); length > longest)
+    result.translation *= longest / length;
+  return result;
+}
+
 Pose3D RobotBody::origin() const {
   Pose3D origin;
   origin.translation = {pose.translation.x(), pose.translation.y(), height};

@@ -29,6 +29,9 @@ struct RobotCommand {
   JointGains gains{};  ///< Only the dynamic fidelity has servos for them.
 };
 
+/// A step of one tick, at most as long as a robot could ever make it.
+Pose2D possibleStep(const Pose2D& step);
+
 /// How a robot lies or stands.
 enum class Posture { standing, onLeftSide, onRightSide, onNose, onBack, sitting };
 
