@@ -57,6 +57,14 @@ class KickTable(unittest.TestCase):
         self.assertEqual(done.stderr, "kick-table: ownKick: measured on 3 seeds, expected 4 or more: --seeds 101..106\n")
         self.assertFalse(self.table.exists())
 
+    def test_the_page_has_the_projects_table(self):
+        text = (ROOT / "docs/motion.md").read_text()
+        page = pathlib.Path(self.folder.name) / "page.md"
+        page.write_text(text.replace("| `pushStrong` | 120, 0 |", "| `pushStrong` | 140, 0 |"))
+        done = subprocess.run([SCRIPT, "--page", page, ROOT / "config/kicks.cfg"], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(page.read_text(), text, "scripts/kick-table --page docs/motion.md config/kicks.cfg makes it anew")
+
     def test_a_teams_table_begins_as_the_projects(self):
         self.make(figures_of("ownKick", lambda x, y: (1000, 1), 4))
         names = {line.split()[1] for line in self.table.read_text().splitlines() if line.startswith("motion ")}
