@@ -209,36 +209,33 @@ Result<Measurement> odometry(const Job& job, const DataRoot& root) {
     astray += (walk.truth.translation - walk.believed.translation).norm();
     turn.add(toDegrees(std::abs(walk.truth.rotation - walk.believed.rotation)));
   }
-  Eigen::MatrixXd turns(walks.size(), 2);
-  Eigen::VectorXd turned(walks.size());
-  struct {
-    double squares = 0, products = 0;
-    void add(double truth, double believed) {
-      squares += believed * believed;
-      products += believed * truth;
-    }
-    [[nodiscard]] double share() const { return products / squares; }
-  } ahead, back, sideways;
-  for (std::size_t i = 0; i < walks.size(); ++i) {
-    const auto& [truth, believed] = walks[i];
-    (believed.translation.x() < 0 ? back : ahead)
-        .add(truth.translation.x(), believed.translation.x());
-    sideways.add(truth.translation.y(), believed.translation.y());
-    turns.row(static_cast<Eigen::Index>(i)) << believed.rotation, believed.translation.y();
-    turned[static_cast<Eigen::Index>(i)] = truth.rotation;
-  }
-  const Vector2d ofTurns = turns.colPivHouseholderQr().solve(turned);
+  // Ahead: share of the feet's speed, and what steps make by themselves; sideways: share, and place
+  // of the turn; turns: share, and by walking sideways.
   const WalkParameters& now = types[type];
-  const double correctionR = now.correctionR * ofTurns.x();
+  const auto rows = static_cast<Eigen::Index>(walks.size());
+  Eigen::MatrixX2d ahead(rows, 2), sideways(rows, 2), turns(rows, 2);
+  Eigen::MatrixX3d truth(rows, 3);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const BothSpeeds& walk = walks[static_cast<std::size_t>(i)];
+    const Pose2D feet = now.feetFor(walk.believed);
+    ahead.row(i) << feet.translation.x(), 1;
+    sideways.row(i) << feet.translation.y(), walk.truth.rotation;
+    turns.row(i) << feet.rotation, feet.translation.y();
+    truth.row(i) << walk.truth.translation.x(), walk.truth.translation.y(), walk.truth.rotation;
+  }
+  const auto fit = [&](const Eigen::MatrixX2d& speeds, Eigen::Index axis) {
+    return Vector2d{speeds.colPivHouseholderQr().solve(truth.col(axis))};
+  };
+  const Vector2d x = fit(ahead, 0), y = fit(sideways, 1), r = fit(turns, 2);
   Measurement measurement;
   measurement.add("motion.odometry.wayError", "%", 100 * astray / way, Aim::atMost(5));
-  measurement.add("motion.odometry.turnError", "deg/s", turn.mean(), Aim::atMost(2));
-  measurement.add("motion.odometry.correctionX", "", now.correctionX * ahead.share());
-  measurement.add("motion.odometry.correctionBack", "", now.correctionBack * back.share());
-  measurement.add("motion.odometry.correctionY", "", now.correctionY * sideways.share());
-  measurement.add("motion.odometry.correctionR", "", correctionR);
-  measurement.add("motion.odometry.counterRotation", "rad/mm",
-                  now.counterRotation - ofTurns.y() * now.correctionY / correctionR);
+  measurement.add("motion.odometry.turnError", "deg/s", turn.mean(), Aim::atMost(3));
+  measurement.add("motion.odometry.correctionX", "", x[0]);
+  measurement.add("motion.odometry.driftX", "mm/s", x[1]);
+  measurement.add("motion.odometry.correctionY", "", y[0]);
+  measurement.add("motion.odometry.turnCenter", "mm", y[1]);
+  measurement.add("motion.odometry.correctionR", "", r[0]);
+  measurement.add("motion.odometry.counterRotation", "rad/mm", -r[1] / r[0]);
   return measurement;
 }
 

@@ -24,7 +24,7 @@ constexpr double leanWalk = 0.6, leanAhead = 1.05;
 constexpr double usualRoll = 0.8, usualNod = 0.91, usualLevel = 0.28;
 constexpr double heightGrowth = 0.2;  ///< The exponent of the height's growth with the speed.
 /// Without rule: as shares of the above at the usual speed, growing with its fourth power.
-constexpr double irregularTilt = 0.19, irregularRoll = 0.09, irregularHeight = 0.27;
+constexpr double irregularTilt = 0.26, irregularRoll = 0.12, irregularHeight = 0.38;
 constexpr double fastestWalk = 1.8;  ///< Times the usual speed: no walk was measured beyond.
 /// How long the irregular part keeps its direction: half of a step.
 constexpr double wanderTime = 0.15;  // s

@@ -147,20 +147,13 @@ bool InvKinWalkingEngine::allOnGround() const {
   });
 }
 
-double InvKinWalkingEngine::correctionAlong(double x) const {
-  return x < 0 ? walk().correctionBack : walk().correctionX;
-}
-
 Pose2D InvKinWalkingEngine::measured(const Pose2D& ofFeet) const {
-  return {(ofFeet.rotation - walk().counterRotation * ofFeet.translation.y()) * walk().correctionR,
-          ofFeet.translation.x() * correctionAlong(ofFeet.translation.x()),
-          ofFeet.translation.y() * walk().correctionY};
+  return isZero(ofFeet) ? Pose2D{} : walk().speedOf(ofFeet);
 }
 
 Pose2D InvKinWalkingEngine::allowed(const Pose2D& request) const {
-  const double x = request.translation.x(), y = request.translation.y() / walk().correctionY;
-  Pose2D speed{request.rotation / walk().correctionR + walk().counterRotation * y,
-               x / correctionAlong(x), y};
+  if (isZero(request)) return {};
+  const Pose2D speed = walk().feetFor(request);
   // The farthest any foot would go, in units of the ellipse: all are shortened alike, so that the
   // robot moves in the direction requested.
   double farthest = 1;

@@ -59,7 +59,6 @@ class InvKinWalkingEngine {
   bool standing() const;
   /// The speed of the feet for a request, clipped to what the steps allow.
   Pose2D allowed(const Pose2D& request) const;
-  double correctionAlong(double x) const;  ///< ahead, or back
   /// The speed of the robot that the feet's speed yields (report 3.9.1.3).
   Pose2D measured(const Pose2D& ofFeet) const;
   Pose2D speedOf(Leg, const Pose2D& speed) const;

@@ -48,7 +48,20 @@ struct WalkParameters {
   bool holdsHead = false;
   double headTilt = 0, headPan = 0, headRoll = 0, mouth = 0;
   Quadruple foreFreeFormQuadPos = trapezoid(), hindFreeFormQuadPos = trapezoid();
-  double correctionX = 1, correctionBack = 1, correctionY = 1, correctionR = 1;
+  double correctionX = 1, correctionY = 1, correctionR = 1, driftX = 0, turnCenter = 0;
+
+  /// The measured speed of a robot whose feet move so (mm/s, rad/s; report 3.9.1.3).
+  Pose2D speedOf(const Pose2D& feet) const {
+    const double turn = correctionR * (feet.rotation - counterRotation * feet.translation.y());
+    return {turn, correctionX * feet.translation.x() + driftX,
+            correctionY * feet.translation.y() + turnCenter * turn};
+  }
+  /// How the feet move for it: the inverse.
+  Pose2D feetFor(const Pose2D& speed) const {
+    const double y = (speed.translation.y() - turnCenter * speed.rotation) / correctionY;
+    return {speed.rotation / correctionR + counterRotation * y,
+            (speed.translation.x() - driftX) / correctionX, y};
+  }
 
   static constexpr auto fields() {
     using P = WalkParameters;
@@ -122,13 +135,17 @@ struct WalkParameters {
               "corners of a fore foot's path: x in half ways on the ground, y and z in mm"),
         field("hindFreeFormQuadPos", &P::hindFreeFormQuadPos, "", "those of a hind foot's path"),
         field("correctionX", &P::correctionX, "",
-              "measured speed ahead, as a share of that of the feet (3.9.1.3)", {0.2, 5}),
-        field("correctionBack", &P::correctionBack, "",
-              "measured speed back, as a share of that of the feet", {0.2, 5}),
+              "measured speed ahead or back, as a share of that of the feet (3.9.1.3)", {0.2, 5}),
         field("correctionY", &P::correctionY, "", "measured speed, as a share of that of the feet",
               {0.2, 5}),
         field("correctionR", &P::correctionR, "", "measured speed, as a share of that of the feet",
-              {0.2, 5})};
+              {0.2, 5}),
+        field("driftX", &P::driftX, "mm/s",
+              "measured speed ahead that steps make by themselves, also those to the side or back",
+              {-100, 100}),
+        field("turnCenter", &P::turnCenter, "mm",
+              "by which the point about which the robot turns lies behind its middle, as measured",
+              {-100, 100})};
   }
 };
 
