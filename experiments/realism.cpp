@@ -83,7 +83,7 @@ struct MatrixErrors {
 
 /// Experiment 1 of report 3.3.3.4: a walk of 18 minutes.
 Result<Measurement> walkAbout(const Job& job, const DataRoot& root) {
-  auto walker = walkerOf(job, root);
+  auto walker = walkerOf(job, root, {}, *enumValue<Fidelity>(job.parameter("fidelity")));
   if (!walker) return walker.error();
   SimulatedWalker& robot = **walker;
   auto lines = reportsLines(job.seed);
@@ -96,6 +96,7 @@ Result<Measurement> walkAbout(const Job& job, const DataRoot& root) {
   for (int i = 0; i < images; ++i) {
     const Pose2D before = robot.pose, beforeByOdometry = robot.odometry.pose;
     robot.step();
+    if (robot.hasFallen()) return Error{.what = fallen};
     const double error = (lines(seenBy(robot)).pose.translation - robot.pose.translation).norm();
     if (i >= SyntheticRobot::imagesPerMinute / 6) errors.push_back(error);
     matrices.add(robot.camera, robot.trueCamera);
@@ -304,7 +305,10 @@ Experiments realismExperiments() {
        sway},
       {"realism.walk",
        "Errors of Lines during a walk of 18 minutes (report 3.3.3.4: 105 mm)",
-       {profile, changes, {"minutes", "of walking", number, {"18"}}},
+       {profile,
+        changes,
+        {"fidelity", "of the motion", choice, {"kinematic", "dynamic"}},
+        {"minutes", "of walking", number, {"18"}}},
        walkAbout}};
 }
 
