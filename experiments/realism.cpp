@@ -236,7 +236,8 @@ Result<Measurement> sway(const Job& job, const DataRoot& root) {
   double gone = 0, believed = 0, astray = 0;
   for (int i = 0; i < walks; ++i) {
     robot.request = {};
-    robot.world().placeRobot(0, {pi * random.symmetric(), 0, 0});
+    // Along the field, where no wall is in the way.
+    robot.world().placeRobot(0, {0.5 * random.symmetric(), -1600, 0});
     robot.run(0.5);
     robot.request.type = MotionType::walk;
     robot.request.walkType = *enumValue<WalkType>(job.parameter("type"));

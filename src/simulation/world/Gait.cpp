@@ -23,8 +23,8 @@ constexpr double leanWalk = 0.6, leanAhead = 1.05;
 /// The standard deviations of roll, nod (mm) and level in the walk `normal`.
 constexpr double usualRoll = 0.8, usualNod = 0.91, usualLevel = 0.28;
 constexpr double heightGrowth = 0.2;  ///< The exponent of the height's growth with the speed.
-/// Without rule: as shares of the above at the usual speed, growing with its fourth power.
-constexpr double irregularTilt = 0.26, irregularRoll = 0.12, irregularHeight = 0.38;
+/// Without rule: as shares of the above at the usual speed, growing with its square.
+constexpr double irregularTilt = 0.4, irregularRoll = 0.21, irregularHeight = 0.5;
 constexpr double fastestWalk = 1.8;  ///< Times the usual speed: no walk was measured beyond.
 /// How long the irregular part keeps its direction: half of a step.
 constexpr double wanderTime = 0.15;  // s
@@ -73,7 +73,7 @@ const Sway& Gait::sway(const BodyParameters& body, const std::array<double, 4>& 
     return now_;
   }
   const double times = std::min(speed / usualSpeed, fastestWalk);
-  const double irregular = std::pow(times, 4);
+  const double irregular = times * times;
   now_.tilt += fromDegrees(body.swayTilt) *
                ((nods_[3] - nods_[2]) / usualNod + irregularTilt * irregular * wanderTilt_);
   now_.roll =

@@ -74,9 +74,9 @@ TEST(Gait, WalkingBodiesLeanToTheirNosesMostIfTheyWalkAhead) {
 
 TEST(Gait, FastWalksSwayWithoutRule) {
   const Swaying slow{swayingBody(), 100}, usual{swayingBody(), 200}, fast{swayingBody(), 350};
-  EXPECT_NEAR(usual.tilt.standardDeviation() / slow.tilt.standardDeviation(), 1, 0.05);
-  EXPECT_GT(fast.tilt.standardDeviation(), 1.5 * usual.tilt.standardDeviation());
-  EXPECT_GT(fast.height.standardDeviation(), 1.5 * usual.height.standardDeviation());
+  EXPECT_NEAR(usual.tilt.standardDeviation() / slow.tilt.standardDeviation(), 1, 0.1);
+  EXPECT_GT(fast.tilt.standardDeviation(), 1.3 * usual.tilt.standardDeviation());
+  EXPECT_GT(fast.height.standardDeviation(), 1.3 * usual.height.standardDeviation());
 }
 
 TEST(Gait, LegsThatGiveCarryTheBodyMoreEvenly) {
