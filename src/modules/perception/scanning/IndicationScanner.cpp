@@ -253,6 +253,7 @@ void IndicationScanner::findPlayer(const ScanLine& line, const Stretch& tricot, 
   player.upper = line.at(runs_[tricot.first].begin - 0.5);
   player.lower = line.at(runs_[tricot.last].end - 0.5);
   player.upperKnown = tricot.first > 0 || !line.fromBorder;
+  player.lowerKnown = tricot.last + 1 < runs_.size() || !line.toBorder;
   players.push_back(player);
 }
 

@@ -37,7 +37,7 @@ struct PlayerIndication {
   TeamColor team = TeamColor::red;
   double u = 0;  ///< Of its scan line.
   Vector2d upper = Vector2d::Zero(), lower = Vector2d::Zero();
-  bool upperKnown = false;  ///< Whether it begins within the image.
+  bool upperKnown = false, lowerKnown = false;  ///< Whether these ends lie within the image.
   int pixels = 0;
 };
 

@@ -24,12 +24,21 @@ class PlayerSpecialist {
 
   void endCluster(const CameraImage& picture, std::vector<Vector2d>& players);
   void lookForFeet(const CameraImage& picture);
+  double nearestFoot();
+  /// By the tricot's lower end (mm); `farthestOnGround` if that is not seen.
+  double distanceOfLowerEnd(const CameraImage& picture) const;
+  /// The tangent of the elevation of the tricot's upper end; nothing if that is not seen.
+  std::optional<double> slopeOfUpperEnd(const CameraImage& picture) const;
+  /// From the camera to the middle of the robot (mm), if a foot is seen or not.
+  double distanceByFoot(const CameraImage& picture);
+  double distanceByTricot(const CameraImage& picture, double bySize) const;
   void follow(const CameraImage& picture, double u, double v, double end, Which which);
 
   std::vector<PlayerIndication> cluster_;
   std::vector<Vector2d> feet_;
-  double foot_ = 0;    ///< mm, to the nearest foot of the cluster.
-  double border_ = 0;  ///< mm, to where the nearest leg leaves the image.
+  std::vector<double> distances_;  ///< mm, to all feet of the cluster.
+  double foot_ = 0;                ///< mm, to the nearest foot of the cluster.
+  double border_ = 0;              ///< mm, to where the nearest leg leaves the image.
 };
 
 }  // namespace gt

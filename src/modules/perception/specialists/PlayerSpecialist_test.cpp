@@ -76,5 +76,75 @@ TEST_F(PlayerSpecialistTest, ARobotIsWhereItsMiddleIs) {
   }
 }
 
+// An ERS-210 seen from the side: sides and back in tricot, feet at both ends.
+std::vector<Box> robotAcross(double x, double y) {
+  return {{{x - 40, y - 100, 0}, {x + 40, y - 70, 85}, ColorClass::gray},
+          {{x - 40, y + 70, 0}, {x + 40, y + 100, 85}, ColorClass::gray},
+          {{x - 40, y - 100, 85}, {x + 40, y - 70, 140}, ColorClass::red},
+          {{x - 40, y + 70, 85}, {x + 40, y + 100, 140}, ColorClass::red},
+          {{x - 40, y - 70, 140}, {x + 40, y + 70, 212}, ColorClass::red}};
+}
+
+// The height between foot and tricot is right even if the matrix is not.
+TEST_F(PlayerSpecialistTest, TheHeightOfARobotCorrectsATiltedMatrix) {
+  for (const double error : {-1.5, 1.5}) {
+    boxes_ = robotAcross(1900, 0);
+    look(0, -0.1);
+    matrix_ = cameraAt({90, 10, cameraHeight_}, 0, -0.1 + fromDegrees(error), 0);
+    percepts_.lookWith(processor_, image_, matrix_, colors_, field_);
+    ASSERT_EQ(players_.players[TeamColor::red].size(), 1u) << error;
+    EXPECT_NEAR(players_.players[TeamColor::red].front().x(), 1900, 230) << error;
+  }
+}
+
+// A tricot's lower end is at a leg, whose height is known.
+TEST_F(PlayerSpecialistTest, ARobotWithoutFeetInTheImageIsAsFarAsTheLowerEndOfItsTricot) {
+  for (const double distance : {600., 700., 800.}) {
+    boxes_ = robotAcross(distance, 0);
+    look(0, 0.2 - 60 / distance);
+    ASSERT_EQ(players_.players[TeamColor::red].size(), 1u) << distance;
+    EXPECT_NEAR(players_.players[TeamColor::red].front().x(), distance, 105) << distance;
+  }
+}
+
+// Report 3.2.6. All that is seen of such a robot may be a part of its back.
+TEST_F(PlayerSpecialistTest, ATouchedRobotIsAsFarAsTheUpperEndOfItsTricot) {
+  cameraHeight_ = 250;
+  boxes_ = {{{220, -40, 195}, {320, 40, 212}, ColorClass::red},
+            {{220, -40, 0}, {320, 40, 195}, ColorClass::gray}};
+  look(0, 0.05);
+  ASSERT_EQ(players_.players[TeamColor::red].size(), 1u);
+  EXPECT_NEAR(players_.players[TeamColor::red].front().x(), 270, 100);
+}
+
+// Several lines meet each foot. What is as thin as half a pixel is met by one of them or by none.
+TEST_F(PlayerSpecialistTest, WhatStandsAloneBeforeARobotIsNoFootOfIt) {
+  for (int y = 40; y < 60; y += 3) {
+    boxes_ = robotAcross(1500, 0);
+    boxes_.push_back({{1000, y - 1.5, 0}, {1010, y + 1.5, 60}, ColorClass::gray});
+    look(0, -0.2);
+    ASSERT_EQ(players_.players[TeamColor::red].size(), 1u) << y;
+    EXPECT_NEAR(players_.players[TeamColor::red].front().x(), 1500, 150) << y;
+  }
+}
+
+// Its shaded side looks like a leg, and is seen below the orange.
+TEST_F(PlayerSpecialistTest, ABallBeforeARobotIsNoFootOfIt) {
+  boxes_ = robotAcross(1500, 0);
+  boxes_.push_back({{1000, -20, 35}, {1080, 60, 84}, ColorClass::orange});
+  boxes_.push_back({{1000, -20, 0}, {1080, 60, 35}, ColorClass::black});
+  look(0, -0.2);
+  ASSERT_EQ(players_.players[TeamColor::red].size(), 1u);
+  EXPECT_NEAR(players_.players[TeamColor::red].front().x(), 1500, 200);
+}
+
+// The report ignores heads: far below one, a foot need not be the robot's.
+TEST_F(PlayerSpecialistTest, AHeadAloneIsNoTricot) {
+  boxes_ = {{{900, -15, 210}, {930, 15, 240}, ColorClass::red},
+            {{840, -60, 0}, {960, 60, 210}, ColorClass::gray}};
+  look(0, -0.1);
+  EXPECT_TRUE(players_.players[TeamColor::red].empty());
+}
+
 }  // namespace
 }  // namespace gt

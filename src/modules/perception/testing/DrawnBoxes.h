@@ -47,6 +47,7 @@ class DrawnBoxes : public testing::Test {
 
   std::function<bool(double x, double y)> isLine_ = [](double, double) { return false; };
   std::vector<Box> boxes_;
+  double cameraHeight_ = 190;
 
   FieldDimensions field_;
   ColorTable64 colors_ = palette().table(30);
@@ -60,7 +61,7 @@ class DrawnBoxes : public testing::Test {
   Random random_{1};
 
   void look(double pan, double tilt, double roll = 0) {
-    matrix_ = cameraAt({90, 10, 190}, pan, tilt, roll);
+    matrix_ = cameraAt({90, 10, cameraHeight_}, pan, tilt, roll);
     drawImage(image_, matrix_, 2, 2, random_,
               [&](const Vector3d& ray) { return palette()[classAlong(ray)]; });
     percepts_.lookWith(processor_, image_, matrix_, colors_, field_);
