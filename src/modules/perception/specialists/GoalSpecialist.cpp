@@ -146,6 +146,10 @@ bool locateGoal(const CameraMatrix& matrix, const FieldDimensions& field, GoalPe
   }
   const double widest = 2.0 * field.yGoal;
   if (distance > 0 && width * distance > 1.6 * widest) return false;
+  // A robot hides one side of what is much narrower than a goal, and nothing shows which one.
+  constexpr double leastShare = 0.45;
+  if (high && width * distance < leastShare * widest)
+    goal.boundary.leftOnBorder = goal.boundary.rightOnBorder = true;
   // It stands on the ground, below the horizon.
   if (!b.bottomOnBorder && b.bottom > fromDegrees(1)) return false;
   // Of a goal whose foot is hidden the upper edge gives the distance: flags are narrower.
@@ -155,12 +159,16 @@ bool locateGoal(const CameraMatrix& matrix, const FieldDimensions& field, GoalPe
       width * above < narrowest * std::tan(b.top))
     return false;
   const double bearing = (b.left + b.right) / 2;
-  // The height is that of all walls of the goal: on average it is seen halfway to its back.
+  // The height is that of all walls of the goal: on average it is seen halfway to its back. If it
+  // is not seen as a whole, it is as far as its foot.
   const double depth = field.xGoalBack - field.xGroundline;
-  const Vector2d middle =
-      camera.head<2>() + direction(bearing) * std::max(distance - depth / 2, 0.0);
-  goal.distance = distance > 0 ? middle.norm() : 0;
-  goal.angle = distance > 0 ? angleOf(middle) : bearing;
+  const bool onGround = !b.bottomOnBorder && b.bottom < 0;
+  const double away = high       ? std::max(distance - depth / 2, 0.0)
+                      : onGround ? camera.z() / std::tan(-b.bottom)
+                                 : 0;
+  const Vector2d middle = camera.head<2>() + direction(bearing) * away;
+  goal.distance = high ? middle.norm() : 0;
+  goal.angle = away > 0 ? angleOf(middle) : bearing;
   return true;
 }
 

@@ -41,6 +41,18 @@ TEST_F(GoalSpecialistTest, LeavesTheEndOfAGoalOutsideTheImageOpen) {
   EXPECT_FALSE(landmarks_.goals[0].boundary.leftOnBorder);
 }
 
+// The camera is in front of the robot's middle, from where a goal beside it is seen elsewhere.
+using GoalBesideTheRobot = DrawnBoxes;
+TEST_F(GoalBesideTheRobot, IsInItsDirectionThoughItsTopIsNotSeen) {
+  boxes_ = {{{400, 100, 0}, {410, 700, 300}, ColorClass::yellow}};
+  look(0.9, -0.5);
+  ASSERT_EQ(percepts_.landmarks.numberOfGoals, 1);
+  const GoalPercept& seen = percepts_.landmarks.goals[0];
+  EXPECT_EQ(seen.distance, 0);
+  const double bearing = (seen.boundary.left + seen.boundary.right) / 2;
+  EXPECT_NEAR(toDegrees(seen.angle), toDegrees(std::atan2(10 + 310 * std::tan(bearing), 400)), 2.5);
+}
+
 TEST_F(GoalBehindARobot, ARobotHidesTheFootOfAGoalButNotTheGoal) {
   boxes_ = {{{1500, -300, 0}, {1510, 300, 300}, ColorClass::skyblue},
             {{600, -200, 0}, {700, 150, 100}, ColorClass::gray},
@@ -50,6 +62,18 @@ TEST_F(GoalBehindARobot, ARobotHidesTheFootOfAGoalButNotTheGoal) {
   const ConditionalBoundary& b = percepts_.landmarks.goals[0].boundary;
   EXPECT_NEAR(toDegrees(b.left), toDegrees(std::atan2(290, 1410)), 1);
   EXPECT_NEAR(toDegrees(b.right), toDegrees(std::atan2(-310, 1410)), 1);
+}
+
+// Bright parts of a robot look like an end, but no goal is that narrow.
+TEST_F(GoalBehindARobot, ANarrowGoalIsHiddenOnASideThatNothingShows) {
+  for (const bool hidden : {false, true}) {
+    boxes_ = {{{1500, hidden ? 100. : -300., 0}, {1510, 300, 300}, ColorClass::skyblue}};
+    look(0, 0);
+    ASSERT_EQ(percepts_.landmarks.numberOfGoals, 1) << hidden;
+    const ConditionalBoundary& b = percepts_.landmarks.goals[0].boundary;
+    EXPECT_EQ(b.leftOnBorder, hidden) << hidden;
+    EXPECT_EQ(b.rightOnBorder, hidden) << hidden;
+  }
 }
 
 // What hides its foot must be a robot: a shirt above something gray, or black legs, is no goal.

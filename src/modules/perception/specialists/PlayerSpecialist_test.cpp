@@ -110,11 +110,11 @@ TEST_F(PlayerSpecialistTest, ARobotWithoutFeetInTheImageIsAsFarAsTheLowerEndOfIt
 // Report 3.2.6. All that is seen of such a robot may be a part of its back.
 TEST_F(PlayerSpecialistTest, ATouchedRobotIsAsFarAsTheUpperEndOfItsTricot) {
   cameraHeight_ = 250;
-  boxes_ = {{{220, -40, 195}, {320, 40, 212}, ColorClass::red},
-            {{220, -40, 0}, {320, 40, 195}, ColorClass::gray}};
+  boxes_ = {{{220, -40, 195}, {240, 40, 212}, ColorClass::red},
+            {{220, -40, 0}, {240, 40, 195}, ColorClass::gray}};
   look(0, 0.05);
   ASSERT_EQ(players_.players[TeamColor::red].size(), 1u);
-  EXPECT_NEAR(players_.players[TeamColor::red].front().x(), 270, 100);
+  EXPECT_NEAR(players_.players[TeamColor::red].front().x(), 270, 40);
 }
 
 // Several lines meet each foot. What is as thin as half a pixel is met by one of them or by none.
