@@ -66,6 +66,20 @@ TEST(ImageCorrection, FollowsTheLight) {
   EXPECT_NEAR(field.correction.gain(), 2, 0.3);
 }
 
+TEST(ImageCorrection, OneImageInOtherLightHardlyCounts) {
+  CastField field;
+  for (int i = 0; i < 10; ++i) field.look(1);
+  field.look(0.4);
+  EXPECT_LT(field.correction.gain(), 1.5);
+}
+
+TEST(ImageCorrection, ForgetsACastThatIsGone) {
+  CastField field;
+  for (int i = 0; i < 20; ++i) field.look(1, 16);
+  for (int i = 0; i < 30; ++i) field.look(1);
+  EXPECT_NEAR(field.correction.cast().x(), 0, 2);
+}
+
 TEST(ImageCorrection, TakesTheCastOfTheCornersAway) {
   for (const double light : {1., 0.5})
     for (const double cast : {16., -10.}) {

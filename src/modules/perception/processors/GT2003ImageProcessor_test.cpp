@@ -32,6 +32,11 @@ TEST_F(OnTheGround, OnlyABallHasAPlaceWithoutACameraMatrix) {
   EXPECT_EQ(lines_.time, Time{1234});
 }
 
+TEST_F(OnTheGround, NoGroundIsFreeWhereNoneIsSeen) {
+  look(0, 0.5);
+  EXPECT_TRUE(obstacles_.lines.empty());
+}
+
 TEST_F(OnTheGround, FreeGroundEndsAtWhatStandsOnItButNotAtLines) {
   isLine_ = [](double x, double) { return x > 500 && x < 525; };
   boxes_ = {{{900, -80, 0}, {1000, 80, 200}, ColorClass::gray}};
