@@ -62,6 +62,7 @@ TEST(Scripts, ThereIsOneForEachCommand) {
 
 TEST(Scripts, LeadRobotsThroughAGame) {
   for (const auto& [scene, script] : {std::pair{"no-opponents", "by-buttons"},
+                                      {"match", "match-by-buttons"},
                                       {"match", "cheers"},
                                       {"no-opponents", "leave-field"}}) {
     TextScreen screen;
