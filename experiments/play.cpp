@@ -1,6 +1,8 @@
 // How well teams play: against each other, without opponents, a striker alone, penalty shots.
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string_view>
 
 #include "ChangedRoot.h"
 #include "Experiments.h"
@@ -19,11 +21,18 @@ Result<std::unique_ptr<Match>> matchOnScene(const Job& job, const DataRoot& root
   return Match::make(*options);
 }
 
-/// What is aimed at with figures of play.
-Aim aimOf(const std::string& figure) {
-  if (figure.ends_with(".penalties")) return Aim::atMost(1);
+/// What a figure of a team in a match must reach. Penalties are those of five minutes; the musts of
+/// goals are of both teams in 40 matches.
+Aim aimOf(std::string_view figure) {
+  static const std::map<std::string_view, Aim> musts{
+      {"strikers.two", Aim::atMost(0.5)},         {"strikers.none", Aim::atMost(1)},
+      {"striker.unseen", Aim::atMost(18)},        {"penalties", Aim::atMost(0.15)},
+      {"kick.afterTouch.median", Aim::atMost(6)}, {"letIn.touched", Aim::atMost(2. / 80)},
+      {"letIn.beside", Aim::atMost(4. / 80)},
+  };
   if (figure.ends_with("Charge")) return Aim::atMost(0);
-  return {};
+  const auto must = musts.find(figure.substr(figure.find('.') + 1));
+  return must == musts.end() ? Aim{} : must->second;
 }
 
 Result<Measurement> playBoth(const Job& job, const DataRoot& root) {
