@@ -38,7 +38,8 @@ struct NoiseParameters {
               "a robot's steps are that share longer or shorter at most, each direction its own",
               {0, 0.9}),
         field("motion", &NoiseParameters::motion, "",
-              "noise of steps, kept for 0.25 s; 1: 20 mm and 1 degree over 1 m, 5 degrees over a turn",
+              "noise of steps, kept for 0.25 s; 1: 20 mm and 1 degree over 1 m, 5 degrees over a "
+              "turn",
               {0, 100}),
         field("psdReflections", &NoiseParameters::psdReflections, "",
               "share of the distance sensor's readings that are random, because of reflections",
