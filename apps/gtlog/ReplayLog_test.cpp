@@ -367,7 +367,7 @@ TEST_F(ReplayLog, ReplaysOlderLogsWithOtherFiles) {
   setup = *recorded;
   change(setup, "behavior/symbols/kick_symbols.xabsl", "float input kick.facing",
          "bool input kick.reaches;\n  float input kick.facing");
-  change(setup, "behavior/options/ball/search_ball.xabsl", "ball.known.distance > 500",
+  change(setup, "behavior/options/ball/search_ball.xabsl", "ball.known.distance > search.known_far",
          "kick.reaches");
   const std::string asks = errorOf(setup);
   EXPECT_THAT(asks, testing::StartsWith(older + ": behavior/symbols/kick_symbols.xabsl:"));

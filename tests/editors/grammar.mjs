@@ -25,7 +25,8 @@ function words(text) {
   });
 }
 
-const scopes = new Map(words(readFileSync("behavior/options/ball/kick.xabsl", "utf8")));
+const files = ["behavior/symbols/kick_symbols.xabsl", "behavior/options/ball/kick.xabsl"];
+const scopes = new Map(files.flatMap((file) => words(readFileSync(file, "utf8"))));
 for (const [word, scope] of Object.entries({
   option: "keyword.control", kick: "entity.name.type", enum: "storage.type", "@id": "variable.parameter",
   target: "keyword.control", "2000": "constant.numeric", state_time: "constant.language",
