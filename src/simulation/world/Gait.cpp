@@ -15,17 +15,22 @@ constexpr double usualSpeed = 200;  // mm/s: at which the swaying is that of the
 // it is lifted, and rises and sinks less than the legs do.
 constexpr double rollLift = 8;                                                      // mm
 constexpr double rollTime = 0.02, nodTime = 0.03, heightTime = 0.08, meanTime = 1;  // s
-/// By which the body sinks while the robot stands and walks, as multiples of the scene's height.
-constexpr double sinkingStand = 1.3, sinkingWalk = 3, sinkingTime = 0.3;  // s
+/// By which the body sinks while the robot stands, and while it walks for each mm by which feet are
+/// lifted on average, as multiples of the scene's height.
+constexpr double sinkingStand = 1.3, sinkingWalk = 0.24, sinkingTime = 0.3;  // s
 /// How it leans to its nose while the robot walks, and more if it walks ahead, less if back: as
 /// multiples of the scene's tilt.
 constexpr double leanWalk = 0.6, leanAhead = 1.05;
 /// The standard deviations of roll, nod (mm) and level in the walk `normal`.
 constexpr double usualRoll = 0.8, usualNod = 0.91, usualLevel = 0.28;
 constexpr double heightGrowth = 0.2;  ///< The exponent of the height's growth with the speed.
-/// Without rule: as shares of the above at the usual speed, growing with its square.
-constexpr double irregularTilt = 0.4, irregularRoll = 0.21, irregularHeight = 0.5;
-constexpr double fastestWalk = 1.8;  ///< Times the usual speed: no walk was measured beyond.
+constexpr double slowGrowth = 0.25;   ///< That of lean and roll, up to the usual speed.
+/// Without rule: as shares of the above in a stroke of the usual length, growing with its fourth
+/// power. A stroke is the way that the body goes while a foot stands.
+constexpr double irregularTilt = 0.28, irregularRoll = 0.11, irregularHeight = 0.37;
+constexpr double usualStroke = 28, longestStroke = 42;  // mm: none was measured beyond.
+constexpr double strokeShare = 0.2;                     ///< Of each new stroke in their mean.
+constexpr double lifted = 1;                            // mm: a foot stands that is lower.
 /// How long the irregular part keeps its direction: half of a step.
 constexpr double wanderTime = 0.15;  // s
 
@@ -39,15 +44,26 @@ void approach(double& number, double other, double seconds) {
 void Gait::follow(double uneven, double height) {
   const double leans = std::clamp(uneven / rollLift, -1., 1.);
   approach(rolls_, leans, rollTime);
-  double lifted = std::abs(uneven);
+  double feet = std::abs(uneven);
   for (double& nod : nods_) {
-    approach(nod, lifted, nodTime);
-    lifted = nod;
+    approach(nod, feet, nodTime);
+    feet = nod;
   }
   level_ = std::abs(leans);
   approach(meanLevel_, level_, heightTime);
   if (height_ < 0) height_ = height;
   approach(height_, height, heightTime);
+}
+
+void Gait::stand(const std::array<double, 4>& lifts) {
+  for (std::size_t leg = 0; leg < lifts.size(); ++leg) {
+    if (lifts[leg] < lifted) {
+      stands_[leg] += tickSeconds;
+      continue;
+    }
+    if (stands_[leg] > 0) stance_ += strokeShare * (stands_[leg] - stance_);
+    stands_[leg] = 0;
+  }
 }
 
 const Sway& Gait::sway(const BodyParameters& body, const std::array<double, 4>& lifts,
@@ -64,20 +80,25 @@ const Sway& Gait::sway(const BodyParameters& body, const std::array<double, 4>& 
   approach(sides_, std::abs(side), meanTime);
   approach(diagonals_, std::abs(diagonal), meanTime);
   follow(sides_ > diagonals_ ? side : diagonal, height);
-  approach(walks_, speed > 0 ? 1 : 0, sinkingTime);
-  approach(walksAhead_, ahead, sinkingTime);
+  const double times = speed / usualSpeed, slow = std::pow(std::min(times, 1.), slowGrowth);
+  approach(walks_, slow, sinkingTime);
+  approach(walksAhead_, slow * ahead, sinkingTime);
+  const double sinking =
+      std::lerp(sinkingStand, sinkingWalk * std::max(sides_, diagonals_), walks_);
   now_ = {-fromDegrees(body.swayTilt) * (leanWalk * walks_ + leanAhead * walksAhead_), 0,
-          -std::lerp(sinkingStand, sinkingWalk, walks_) * body.swayHeight};
+          -sinking * body.swayHeight};
   if (speed == 0) {
     height_ = height;
+    stands_ = {};
     return now_;
   }
-  const double times = std::min(speed / usualSpeed, fastestWalk);
-  const double irregular = times * times;
+  stand(lifts);
+  const double stroke = std::min(speed * stance_, longestStroke) / usualStroke;
+  const double irregular = std::pow(stroke, 4);
   now_.tilt += fromDegrees(body.swayTilt) *
                ((nods_[3] - nods_[2]) / usualNod + irregularTilt * irregular * wanderTilt_);
-  now_.roll =
-      fromDegrees(body.swayRoll) * (rolls_ / usualRoll + irregularRoll * irregular * wanderRoll_);
+  now_.roll = fromDegrees(body.swayRoll) *
+              (slow * rolls_ / usualRoll + irregularRoll * irregular * wanderRoll_);
   now_.height +=
       body.swayHeight * (std::pow(times, heightGrowth) * (meanLevel_ - level_) / usualLevel +
                          irregularHeight * irregular * wanderHeight_);

@@ -35,6 +35,8 @@ class Gait {
  private:
   /// Goes on for a tick; `uneven` is how much higher one side or diagonal is lifted (mm).
   void follow(double uneven, double height);
+  /// Notices which feet stand and for how long.
+  void stand(const std::array<double, 4>& lifts);
 
   Random random_;
   Sway now_;
@@ -42,6 +44,8 @@ class Gait {
   double rolls_ = 0;                   ///< -1 to 1, to the side with less below it.
   std::array<double, 4> nods_{};       ///< mm: follow one another and how high feet are lifted.
   double level_ = 0, meanLevel_ = 0;   ///< 0 to 1: how far one side is lifted.
+  std::array<double, 4> stands_{};     ///< s: for how long each foot has stood.
+  double stance_ = 0;                  ///< s: for which feet stand between two steps.
   double walks_ = 0, walksAhead_ = 0;  ///< 0 to 1, -1 to 1
   double height_ = -1;                 ///< mm, as legs that give carry it; below 0: not yet known.
   double wanderTilt_ = 0, wanderRoll_ = 0, wanderHeight_ = 0;  ///< Standard deviation 1.
