@@ -19,7 +19,7 @@ constexpr ProfileNumber table[] = {
      "estimated; most of a joint's error is play and zero"},
     {"noise", "acceleration", {{0, 200, 300, 600}}, estimated},
     {"noise", "psd", {{0, 10, 20, 40}}, estimated},
-    {"noise", "slip", {{0, 0.06, 0.1, 0.2}}, chosen},
+    {"noise", "slip", {{0, 0.06, 0.08, 0.16}}, chosen},
     {"noise", "motion", {{0, 1, 4.2, 8.4}}, chosen},
     {"noise", "psdReflections", {{0, 0, 0.02, 0.04}}, estimated},
     {"body", "tilt", {{0, 0, 0.3, 0.6}}, chosen},
