@@ -160,12 +160,23 @@ Result<Measurement> searchItself(const Job& job, const DataRoot& root) {
   return run;
 }
 
+/// A robot that walks about, or stands: "stand", "walk", or type and speed of the walk.
+WalkerWorld worldOfGait(const std::string& gait) {
+  WalkerWorld world{.walks = gait != "stand"};
+  if (const std::size_t dot = gait.find('.'); dot != std::string::npos) {
+    world.walkType = *enumValue<WalkType>(gait.substr(0, dot));
+    world.walkingSpeed = std::stod(gait.substr(dot + 1));
+  }
+  return world;
+}
+
 /// How far the camera matrix of a robot that walks about or stands is from the true one.
 Result<Measurement> compareMatrices(const Job& job, const DataRoot& root) {
   const std::string &gait = job.parameter("gait"), &fidelity = job.parameter("fidelity");
   const std::string& posture = job.parameter("posture");
-  auto walker = walkerOf(job, root, {.walks = gait == "walk", .legsOnly = posture == "legs"},
-                         *enumValue<Fidelity>(fidelity));
+  WalkerWorld world = worldOfGait(gait);
+  world.legsOnly = posture == "legs";
+  auto walker = walkerOf(job, root, world, *enumValue<Fidelity>(fidelity));
   if (!walker) return walker.error();
   SimulatedWalker& robot = **walker;
   MatrixErrors matrices;
@@ -288,7 +299,11 @@ Experiments realismExperiments() {
        {profile,
         changes,
         {"fidelity", "of the motion", each, {"kinematic", "dynamic"}},
-        {"gait", "of the robot", each, {"walk", "stand"}},
+        {"gait",
+         "of the robot: it stands, walks as if nothing was asked for, or type and mm/s of its walk",
+         each,
+         {"stand", "walk", "normal.100", "normal.200", "normal.1000", "fast.100", "fast.200",
+          "fast.1000"}},
         {"posture", "what tilt and roll follow from", each, {"legs", "fused"}},
         {"minutes", "that it takes images", number, {"4"}}},
        compareMatrices},

@@ -16,10 +16,10 @@ namespace gt {
 /// The robot's program: walks as requested, turns the head, looks at images.
 class SimulatedWalker::Body : public RobotController {
  public:
-  Body(ColorTable64 colors, const InvKinWalkingEngine::Parameters& walk, bool legsOnly)
-      : colors_{std::move(colors)} {
+  Body(ColorTable64 colors, const InvKinWalkingEngine::Parameters& walk, const WalkerWorld& world)
+      : colors_{std::move(colors)}, walkType_{world.walkType} {
     engine_.parameters = walk;
-    if (legsOnly) {
+    if (world.legsOnly) {
       sensorDataProcessor_.parameters.posture.lean = 0;
       sensorDataProcessor_.parameters.posture.swayShare = 0;
     }
@@ -29,6 +29,7 @@ class SimulatedWalker::Body : public RobotController {
     if (input.image) look(input);
     MotionRequest request;
     request.type = moves_ ? MotionType::walk : MotionType::stand;
+    request.walkType = walkType_;
     request.walk = speed_;
     engine_.update({input.now}, request, {}, {}, {motion_}, walk_);
     motion_.executed = request;
@@ -69,6 +70,7 @@ class SimulatedWalker::Body : public RobotController {
   InvKinWalkingEngine engine_;
   WalkingEngineOutput walk_;
   MotionInfo motion_;
+  WalkType walkType_;
   Pose2D speed_;
   bool moves_ = false;
   DefaultSensorDataProcessor sensorDataProcessor_;
@@ -104,7 +106,7 @@ Result<std::unique_ptr<SimulatedWalker>> SimulatedWalker::make(const DataRoot& r
   std::unique_ptr<SimulatedWalker> walker{new SimulatedWalker{seed, world}};
   walker->simulation_ = *std::move(simulation);
   walker->player.teamColor = walker->simulation_->players()[0].teamColor;
-  auto body = std::make_unique<Body>(*std::move(colors), walk, world.legsOnly);
+  auto body = std::make_unique<Body>(*std::move(colors), walk, world);
   walker->body_ = body.get();
   walker->simulation_->attach(0, std::move(body));
   walker->placeFlags();

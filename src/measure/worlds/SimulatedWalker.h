@@ -6,6 +6,7 @@
 #include "base/DataRoot.h"
 #include "base/Random.h"
 #include "base/Result.h"
+#include "representations/behavior/MotionRequest.h"
 #include "representations/infrastructure/FieldDimensions.h"
 #include "representations/infrastructure/Player.h"
 #include "representations/motion/OdometryData.h"
@@ -22,7 +23,8 @@ struct WalkerWorld {
   double slip = 0, motion = 0;                      ///< At least, as in the scene's element noise.
   std::function<void(SceneDescription&)> change{};  ///< All else of the scene.
   bool flags = true;
-  double walkingSpeed = 150;  ///< mm/s
+  WalkType walkType = WalkType::normal;
+  double walkingSpeed = 150;  ///< mm/s; faster than it can: as fast as it can.
   bool walks = true;
   bool legsOnly = false;           ///< Acceleration does not correct the body's posture.
   std::uint64_t missingFlags = 0;  ///< As many of the six beacons were taken away.
