@@ -1,8 +1,9 @@
-"""Measures what a minute of a match costs, as a multiple of a fixed piece of work that is done beside it: the figures speed.cost.*.
+"""Measures what a minute of a match and 10,000 steps of an environment cost, as multiples of a fixed piece of work that is done beside
+them: the figures speed.cost.*.
 
 cost.py --build build/release [--seeds 101..106] [--minutes 1] [--json out/cost.json]
 
-The piece, which no change of the project touches, is done before and after each match, so that another machine or other programs on it
+The piece, which no change of the project touches, is done before and after each, so that another machine or other programs on it
 change both alike. With one thread the processor's time counts, with two the clock's, while two threads do a piece each.
 """
 
@@ -16,6 +17,8 @@ import zlib
 from collections.abc import Callable
 from pathlib import Path
 
+import gt2003.envs  # registers the environments
+import gymnasium
 import numpy as np
 from against import ROOT, Cost, Failure, Program
 from figures import Figure, add, figure
@@ -64,6 +67,29 @@ def measure(
     return [figure(name, "x", values, seeds=seeds) for name, values in runs.items()]
 
 
+def steps(seed: int) -> Cost:
+    """Of 32 worlds of `Walk` on one thread, which a policy in Python walks by random actions."""
+    worlds, times = 32, 10_000 // 32
+    made = gymnasium.make_vec("GT2003/Walk-v0", worlds, vectorization_mode="vector_entry_point", threads=1)
+    chance = np.random.default_rng(seed)
+    actions = chance.uniform(-1, 1, (times, *made.action_space.shape)).astype(np.float32)
+    made.reset(seed=seed)
+    user, begin = time.process_time(), time.perf_counter()
+    for action in actions:
+        made.step(action)
+    return Cost(time.process_time() - user, time.perf_counter() - begin)
+
+
+def measure_steps(seeds: list[int]) -> Figure:
+    """What steps of an environment cost."""
+    runs = []
+    for seed in seeds:
+        before = cost_of_piece(1)
+        walked = steps(seed)
+        runs.append(ratio(walked, (before, cost_of_piece(1)), 1))
+    return figure("speed.cost.python.steps", "x", runs, seeds=seeds)
+
+
 def seeds_of(text: str) -> list[int]:
     first, _, last = text.partition("..")
     return list(range(int(first), int(last or first) + 1))
@@ -78,7 +104,7 @@ def main() -> int:
     given = parser.parse_args()
     programs = {fidelity: Program(ROOT, given.build.resolve(), scene, PROFILE) for fidelity, scene in SCENES.items()}
     try:
-        measured = measure(programs, given.seeds, given.minutes)
+        measured = [*measure(programs, given.seeds, given.minutes), measure_steps(given.seeds)]
     except Failure as failure:
         print(f"cost: {failure}", file=sys.stderr)
         return 2
