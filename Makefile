@@ -41,7 +41,7 @@ ifeq ($(MAKELEVEL),0)
 MAKEFLAGS += --jobs=2
 endif
 
-.PHONY: help packages-first environment test-packages install play film control pictures random-input play-remote robots chaos growth test python learners replay realism-page bench experiments figures figures-page lines mutants soak docs release try-release dependencies build packages format check-format lint verify verify-all test-changed build-times sanitize sanitize-python fuzz clean
+.PHONY: help packages-first environment test-packages install play film control pictures random-input play-remote robots chaos growth test python learners replay realism-page bench experiments figures spoiled-figures figures-page lines mutants soak docs release try-release dependencies build packages format check-format lint verify verify-all test-changed build-times sanitize sanitize-python fuzz clean
 
 help:
 	@echo 'make play          plays a match of $(MINUTES) minutes and writes its report page ($(OUT)/report.html)'
@@ -61,6 +61,7 @@ help:
 	@echo 'make growth        measures how cost grows with players, pixels, particles, matches and logs: out/growth.json; one of them with ONLY=pixels'
 	@echo 'make experiments   measures accuracy over SEEDS=$(SEEDS): out/experiments.json, out/experiments.html; a group with ONLY=vision'
 	@echo 'make figures       measures the figures of docs/figures.json again and says which are better or worse; those that begin with ONLY=motion.walk,vision, the core set with CORE=1; KEEP=1 writes them into the file and into the pages'
+	@echo 'make spoiled-figures spoils a parameter of vision, roles, walk, kick and speed each, and checks that make figures sees it; one of them with ONLY=walk'
 	@echo 'make figures-page  shows figures of docs/figures.json over COMMITS, each built and measured here: out/history/index.html; ONLY and CORE as above'
 	@echo 'make lines         counts lines of code: production, measuring, tests'
 	@echo 'make mutants       breaks the modules as tests/mutants/ lists and checks that their tests fail; MUTANTS=N breaks N places by chance, with SEED'
@@ -206,6 +207,12 @@ figures: build
 	  $(if $(CORE),--core) $(if $(filter file,$(origin SEEDS)),,--seeds $(SEEDS)) $(if $(KEEP),--keep)
 	@$(if $(KEEP),git ls-files 'docs/*.md' | xargs scripts/fill-pages docs/figures.json)
 
+spoiled-figures: TARGETS = --target experiment simgt gt2003_python_package bench
+spoiled-figures: ENVIRONMENT = build/python
+spoiled-figures: PACKAGES += $(BENCH) $(if $(filter /usr/bin/python3,$(PYTHON)),$(PYTHONS))
+spoiled-figures: build
+	@PYTHONPATH=$(BUILD)/python build/python/bin/python -B python/benchmarks/spoiled.py --build $(BUILD) $(if $(ONLY),--only $(ONLY))
+
 # Commits are built each in a clone of its own.
 COMMITS ?= HEAD
 figures-page: TARGETS = --target gt2003_python_package
@@ -341,7 +348,7 @@ verify: packages
 verify-all:
 	@$(MAKE) --no-print-directory lint SINCE=
 	@$(MAKE) --no-print-directory build PRESET=clang
-	@$(MAKE) --no-print-directory figures
+	@$(MAKE) --no-print-directory figures spoiled-figures
 	@$(MAKE) --no-print-directory sanitize sanitize-python fuzz mutants
 
 # Of an idle machine.
