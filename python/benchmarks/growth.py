@@ -2,9 +2,9 @@
 
 growth.py [--only players standing threads pixels particles matches log] [--rounds 3] [--json out/growth.json]
 
-Cost is processor time, the least of some rounds in which all sizes take their turn: other programs on the machine disturb it less than
-the clock's, and all sizes alike. The exponent is the slope of a line through the logarithms of size and cost, with its 95 % interval;
-that of the two largest sizes shows where it leads.
+Cost is processor time, in rounds in which all sizes take their turn: other programs on the machine disturb it less than the clock's, and
+all sizes alike. The exponent is the slope of a line through the logarithms of size and cost, one for each round; that of the two largest
+sizes (`last`) shows where it leads.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
+import figures
 import gt2003
 import numpy as np
 from gt2003 import logs
@@ -131,27 +132,24 @@ SERIES: dict[str, tuple[Callable[[Path], Setup], list[int]]] = {
 }
 
 
-def exponent(sizes: list[int], costs: list[float]) -> tuple[float, float]:
-    """The slope of a line through the logarithms, and half its 95 % interval."""
+def exponent(sizes: list[int], costs: list[float]) -> float:
+    """The slope of a line through the logarithms."""
     x, y = np.log(sizes), np.log(costs)
     x = x - x.mean()
-    slope = float(x @ y / (x @ x))
-    rest = y - y.mean() - slope * x
-    freedom = len(sizes) - 2
-    return slope, 1.96 * math.sqrt(float(rest @ rest) / freedom / float(x @ x)) if freedom else math.nan
+    return float(x @ y / (x @ x))
 
 
-def measure(setup: Setup, sizes: list[int], rounds: int) -> tuple[list[float], list[float]]:
-    """The least processor time and the least time by the clock, in s, of each size."""
-    processor, clock = [math.inf] * len(sizes), [math.inf] * len(sizes)
+def measure(setup: Setup, sizes: list[int], rounds: int) -> list[list[float]]:
+    """The processor time of each size, in s, in each round."""
+    costs = []
     for _ in range(rounds):
-        for i, size in enumerate(sizes):
+        costs.append([])
+        for size in sizes:
             work = setup(size)
-            begin = time.process_time(), time.perf_counter()
+            begin = time.process_time()
             work()
-            processor[i] = min(processor[i], time.process_time() - begin[0])
-            clock[i] = min(clock[i], time.perf_counter() - begin[1])
-    return processor, clock
+            costs[-1].append(time.process_time() - begin)
+    return costs
 
 
 def main() -> None:
@@ -160,20 +158,15 @@ def main() -> None:
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--json", type=Path, default=Path("out/growth.json"))
     given = parser.parse_args()
-    figures = []
+    measured = []
     for name in given.only:
         make, sizes = SERIES[name]
         with tempfile.TemporaryDirectory() as folder:
-            processor, clock = measure(make(Path(folder)), sizes, given.rounds)
-        slope, half = exponent(sizes, processor)
-        last, _ = exponent(sizes[-2:], processor[-2:])
-        print(f"{name}: size to the power of {slope:.2f} ± {half:.2f}, in the end {last:.2f}")
-        for size, cost, elapsed in zip(sizes, processor, clock, strict=True):
-            print(f"  {size:>8} {cost:9.3f} s of the processor, {elapsed:9.3f} s by the clock", flush=True)
-        costs = {"sizes": sizes, "processor": processor, "clock": clock}
-        figures.append({"name": f"growth.{name}", "value": slope, "interval": half, "last": last, **costs})
-    given.json.parent.mkdir(parents=True, exist_ok=True)
-    given.json.write_text(json.dumps(figures, indent=1) + "\n")
+            rounds = measure(make(Path(folder)), sizes, given.rounds)
+        print(f"{name}: " + ", ".join(f"{size}: {min(costs):.3f} s" for size, costs in zip(sizes, zip(*rounds, strict=True), strict=True)))
+        measured.append(figures.figure(f"growth.{name}", "", [exponent(sizes, costs) for costs in rounds]))
+        measured.append(figures.figure(f"growth.{name}.last", "", [exponent(sizes[-2:], costs[-2:]) for costs in rounds]))
+    figures.add(measured, given.json)
 
 
 if __name__ == "__main__":
