@@ -11,6 +11,7 @@ ball, the place behind it and the goal are. The second line compares a policy th
 from __future__ import annotations
 
 import argparse
+import json
 import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -99,12 +100,17 @@ def train(generations: int, pairs: int, episodes: int = 2, spread: float = 0.3, 
     return policy
 
 
-def report(name: str, decide: Decide, seeds: Sequence[int], **options: str) -> None:
-    """Print how well seeds are played."""
-    worlds = gymnasium.make_vec("GT2003/Approach-v0", num_envs=len(seeds), **options)
+def report(name: str, decide: Decide, seeds: Sequence[int], observations: str, **options: str) -> list[dict[str, object]]:
+    """Print how well seeds are played; return the figures."""
+    worlds = gymnasium.make_vec("GT2003/Approach-v0", num_envs=len(seeds), observations=observations, **options)
     returns, done, seconds = run(worlds, seeds, decide)
     error = 1.96 * returns.std(ddof=1) / np.sqrt(len(seeds))
     print(f"{name}: return {returns.mean():.2f} +- {error:.2f}, done {done.sum()} of {len(seeds)}, {seconds.mean():.1f} s")
+    figures = {"return": ("", returns), "done": ("%", 100 * done), "seconds": ("s", seconds)}
+    return [
+        {"name": f"environments.approach.{observations}.{name}.{of}", "unit": unit, "runs": runs.tolist(), "seeds": list(seeds)}
+        for of, (unit, runs) in figures.items()
+    ]
 
 
 def main() -> None:
@@ -115,13 +121,16 @@ def main() -> None:
     parser.add_argument("--policy", type=Path, help="a file to compare instead of training one")
     parser.add_argument("--unseen", type=int, default=len(UNSEEN), help="seeds to compare on")
     parser.add_argument("--observations", default="state", choices=["state", "beliefs"], help="to compare with")
+    parser.add_argument("--json", type=Path, help="file for the figures")
     options = parser.parse_args()
     policy = np.loadtxt(options.policy) if options.policy else train(options.generations, options.pairs)
     if options.out:
         np.savetxt(options.out, policy, fmt="%.4f")
     seeds = UNSEEN[: options.unseen]
-    report("learned policy", decided_by(policy[None]), seeds, observations=options.observations)
-    report("go_to_ball", skill, seeds, actions="skills", observations=options.observations)
+    figures = report("learned", decided_by(policy[None]), seeds, options.observations)
+    figures += report("go_to_ball", skill, seeds, options.observations, actions="skills")
+    if options.json:
+        options.json.write_text(json.dumps(figures))
 
 
 if __name__ == "__main__":

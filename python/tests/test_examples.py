@@ -52,7 +52,7 @@ def test_a_policy_learns_to_approach_the_ball(tmp_path: Path) -> None:
     def learned(generations: str) -> float:
         told = run("train_approach.py", "--generations", generations, "--pairs", "8", "--unseen", "16", folder=tmp_path)
         assert told.count("generation ") == int(generations), told
-        found = re.search(r"learned policy: return (-?\d\.\d\d) ", told)
+        found = re.search(r"learned: return (-?\d\.\d\d) ", told)
         assert found, told
         return float(found[1])
 
@@ -62,7 +62,7 @@ def test_a_policy_learns_to_approach_the_ball(tmp_path: Path) -> None:
 def test_the_learned_policy_keeps_up_with_the_skill(tmp_path: Path) -> None:
     policy = str(EXAMPLES / "approach_policy.txt")
     told = run("train_approach.py", "--policy", policy, "--unseen", "16", folder=tmp_path)
-    found = re.search(r"learned policy: .* done (\d+) of 16, .*\ngo_to_ball: .* done (\d+) of 16", told)
+    found = re.search(r"learned: .* done (\d+) of 16, .*\ngo_to_ball: .* done (\d+) of 16", told)
     assert found and int(found[1]) >= 14 and int(found[2]) >= 14, told
 
 
