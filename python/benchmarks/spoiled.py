@@ -13,6 +13,7 @@ import re
 import subprocess
 import sys
 import tempfile
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -21,31 +22,49 @@ ROOT = Path(__file__).resolve().parents[2]
 
 @dataclass(frozen=True)
 class Spoil:
-    """A parameter's line that is put in place of what fits `old`, or at the end of a file of its own, and figures that suffer."""
+    """What is done to a file, and the figures that suffer."""
 
+    says: str
     file: str
-    line: str
+    change: Callable[[bytes], bytes]
     only: str
-    old: str = ""
+
+
+def without(color: int) -> Callable[[bytes], bytes]:
+    """A color table in which no color is of a class: runs of four bytes for their length, and one for the class."""
+
+    def change(table: bytes) -> bytes:
+        spoiled = bytearray(table)
+        for i in range(4, len(table), 5):
+            spoiled[i] = 0 if table[i] == color else table[i]
+        return bytes(spoiled)
+
+    return change
+
+
+def put(line: bytes) -> Callable[[bytes], bytes]:
+    """The line of this name has this text."""
+    name = line[: line.rindex(b" ")]
+    return lambda text: re.sub(rb"^" + re.escape(name) + rb" .*$", line, text, count=1, flags=re.MULTILINE)
+
+
+def added(text: bytes) -> Callable[[bytes], bytes]:
+    return lambda before: before + text
 
 
 SPOILS = {
-    "vision": Spoil("config/modules/ImageProcessor.GT2003.cfg", "denseSpacing 12", "vision.ball.found"),
-    "roles": Spoil("config/modules/BehaviorControl.GT2003.cfg", "[tactics.roles]\ngone 100", "play.red.strikers"),
-    "walk": Spoil("config/modules/WalkingEngine.InvKin.cfg", "maxStepSizeX 15", "motion.walk", old=r"maxStepSizeX 19\.7"),
-    "kick": Spoil("motions/kicks/pushStrong.mof", "value strike-frames = 40", "motion.kick", old=r"value strike-frames = \d+"),
-    "speed": Spoil("config/modules/SelfLocator.GT2003.cfg", "particles 2000", "speed.cost.kinematic"),
+    "vision": Spoil("no color is orange", "config/coltable.c64", without(1), "vision.ball.found"),
+    "roles": Spoil("gone 100", "config/modules/BehaviorControl.GT2003.cfg", added(b"[tactics.roles]\ngone 100\n"), "play.red.strikers"),
+    "walk": Spoil("maxStepSizeX 15", "config/modules/WalkingEngine.InvKin.cfg", put(b"maxStepSizeX 15"), "motion.walk"),
+    "kick": Spoil("strike-frames = 40", "motions/kicks/pushStrong.mof", put(b"value strike-frames = 40"), "motion.kick"),
+    "speed": Spoil("particles 2000", "config/modules/SelfLocator.GT2003.cfg", added(b"particles 2000\n"), "speed.cost.kinematic"),
 }
 
 
 def spoil(root: Path, what: Spoil) -> None:
-    """Spoil a parameter in a tree."""
+    """Spoil a file of a tree."""
     file = root / what.file
-    text = file.read_text() if file.exists() else ""
-    spoiled, times = re.subn(what.old, what.line, text, count=1) if what.old else (f"{text}{what.line}\n", 1)
-    if not times:
-        sys.exit(f"{what.file}: has no line {what.old}")
-    file.write_text(spoiled)
+    file.write_bytes(what.change(file.read_bytes() if file.exists() else b""))
 
 
 def worse(what: Spoil, build: Path) -> list[str]:
@@ -69,7 +88,7 @@ def main() -> None:
     found = {name: worse(SPOILS[name], given.build) for name in given.only}
     for name, figures in found.items():
         what = SPOILS[name]
-        print(f"{name}: {what.file}: {what.line.splitlines()[-1]}: " + (", ".join(figures) or f"no figure {what.only} is worse"))
+        print(f"{name}: {what.file}: {what.says}: worse: {', '.join(figures) or 'no figure ' + what.only}")
     sys.exit(0 if all(found.values()) else 1)
 
 

@@ -22,6 +22,7 @@ sys.path.insert(0, str(ROOT / "python/benchmarks"))
 import cost  # noqa: E402
 import kept  # noqa: E402
 import measure  # noqa: E402
+import spoiled  # noqa: E402
 from against import Cost  # noqa: E402
 from verdicts import Chances, Sample, chances, verdicts  # noqa: E402
 
@@ -483,6 +484,20 @@ def test_all_is_measured_within_an_hour_and_the_core_set_within_a_quarter() -> N
     core = {m.command for m in kept.measurements(measure.LIST) if m.core}
     assert sum(seconds.values()) < 2 * 3600  # of two processors
     assert sum(s for command, s in seconds.items() if command in core) < 2 * 900
+
+
+@pytest.mark.parametrize("name", spoiled.SPOILS)
+def test_what_is_spoiled_is_there(name: str, tmp_path: Path) -> None:
+    what = spoiled.SPOILS[name]
+    listed = [figure.name for measurement in kept.measurements(measure.LIST) for figure in measurement.figure]
+    assert any(measure.begins(figure, [what.only]) for figure in listed)
+    file = spoiled.ROOT / what.file
+    before = file.read_bytes() if file.exists() else b""
+    copy = tmp_path / what.file
+    copy.parent.mkdir(parents=True)
+    copy.write_bytes(before)
+    spoiled.spoil(tmp_path, what)
+    assert copy.read_bytes() != before
 
 
 def test_a_match_is_measured_in_fixed_pieces() -> None:
