@@ -41,12 +41,13 @@ ifeq ($(MAKELEVEL),0)
 MAKEFLAGS += --jobs=2
 endif
 
-.PHONY: help packages-first environment test-packages install play film control pictures random-input play-remote robots chaos growth test python learners replay realism-page bench experiments figures spoiled-figures figures-page lines mutants soak docs release try-release dependencies build packages format check-format lint verify verify-all test-changed build-times sanitize sanitize-python fuzz clean
+.PHONY: help packages-first environment test-packages install play film control decisions pictures random-input play-remote robots chaos growth test python learners replay realism-page bench experiments figures spoiled-figures figures-page lines mutants soak docs release try-release dependencies build packages format check-format lint verify verify-all test-changed build-times sanitize sanitize-python fuzz clean
 
 help:
 	@echo 'make play          plays a match of $(MINUTES) minutes and writes its report page ($(OUT)/report.html)'
 	@echo 'make film          films half a minute of a match: out/match.mp4'
 	@echo 'make control       opens the workbench robotcontrol on a match'
+	@echo 'make decisions     draws what robots decide in ten scenes: docs/images/deciding'
 	@echo 'make pictures      takes the pictures of the workbench: of each dialog, docs/images/workbench and out/workbench, and of the tutorial'"'"'s steps'
 	@echo 'make random-input  clicks and types at random in the workbench for MINUTES, with SEED; PRESET=asan under the address sanitizer'
 	@echo 'make test          builds everything and runs all tests'
@@ -114,6 +115,12 @@ control: build
 	@$(BUILD)/bin/robotcontrol scenes/match.scene --seed $(SEED) --threads $(JOBS) --start
 
 # Of each dialog of the workbench, light and dark, in two sizes; and of the steps that pages show.
+decisions: TARGETS = --target gtlog xabsl gt2003_python_package
+decisions: ENVIRONMENT = build/python
+decisions: PACKAGES += $(if $(filter /usr/bin/python3,$(PYTHON)),$(PYTHONS))
+decisions: build
+	@PYTHONPATH=$(BUILD)/python build/python/bin/python -B scripts/draw-decisions --build $(BUILD)
+
 pictures: PACKAGES += $(QT) xvfb xauth
 pictures: TARGETS = --target workbench_clicks
 pictures: DISPLAYED = QT_QPA_PLATFORM=xcb xvfb-run -a -s '-screen 0 2560x1440x24'
