@@ -54,9 +54,9 @@ def added(text: bytes) -> Callable[[bytes], bytes]:
 
 SPOILS = {
     "vision": Spoil("no color is orange", "config/coltable.c64", without(1), "vision.ball.found"),
-    "roles": Spoil("gone 100", "config/modules/BehaviorControl.GT2003.cfg", added(b"[tactics.roles]\ngone 100\n"), "play.red.strikers"),
+    "roles": Spoil("gone 0", "config/modules/BehaviorControl.GT2003.cfg", added(b"[tactics.roles]\ngone 0\n"), "play.red.strikers"),
     "walk": Spoil("maxStepSizeX 15", "config/modules/WalkingEngine.InvKin.cfg", put(b"maxStepSizeX 15"), "motion.walk"),
-    "kick": Spoil("strike-frames = 40", "motions/kicks/pushStrong.mof", put(b"value strike-frames = 40"), "motion.kick"),
+    "kick": Spoil("lunge-frames = 100", "motions/kicks/pushStrong.mof", put(b"value lunge-frames = 100"), "motion.kick"),
     "speed": Spoil("particles 2000", "config/modules/SelfLocator.GT2003.cfg", added(b"particles 2000\n"), "speed.cost.kinematic"),
 }
 
@@ -74,10 +74,13 @@ def worse(what: Spoil, build: Path) -> list[str]:
         subprocess.run(["git", "clone", "--quiet", "--shared", str(ROOT), str(root)], check=True)
         spoil(root, what)
         measure = [sys.executable, "-B", str(root / "python/benchmarks/measure.py"), "--build", str(build.resolve()), "--only", what.only]
-        done = subprocess.run(measure, cwd=root, env={**os.environ, "GT2003_ROOT": str(root)}, stdout=subprocess.PIPE, text=True, check=False)
+        environment = {**os.environ, "GT2003_ROOT": str(root), "PYTHONPATH": str(build.resolve() / "python")}
+        done = subprocess.run(measure, cwd=root, env=environment, stdout=subprocess.PIPE, text=True, check=False)
+    if done.returncode > 1:
+        sys.exit(f"spoiled: {what.only} cannot be measured")
     print(done.stdout, file=sys.stderr, end="")
     figures = [line.split()[0] for line in done.stdout.splitlines() if line.endswith(" worse")]
-    return figures if done.returncode == 1 else []
+    return figures
 
 
 def main() -> None:
