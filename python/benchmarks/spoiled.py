@@ -57,7 +57,7 @@ SPOILS = {
     "roles": Spoil("gone 0", "config/modules/BehaviorControl.GT2003.cfg", added(b"[tactics.roles]\ngone 0\n"), "play.red.strikers"),
     "walk": Spoil("maxStepSizeX 15", "config/modules/WalkingEngine.InvKin.cfg", put(b"maxStepSizeX 15"), "motion.walk"),
     "kick": Spoil("lunge-frames = 100", "motions/kicks/pushStrong.mof", put(b"value lunge-frames = 100"), "motion.kick"),
-    "speed": Spoil("particles 2000", "config/modules/SelfLocator.GT2003.cfg", added(b"particles 2000\n"), "speed.cost.kinematic"),
+    "speed": Spoil("SelfLocator GT2003", "config/modules.cfg", put(b"SelfLocator GT2003"), "speed.cost.kinematic"),
 }
 
 
