@@ -300,7 +300,7 @@ Experiments realismExperiments() {
         changes,
         {"fidelity", "of the motion", each, {"kinematic", "dynamic"}},
         {"gait",
-         "of the robot: it stands, walks as if nothing was asked for, or type and mm/s of its walk",
+         "of the robot: it stands, walks (normal, 150 mm/s), or type and mm/s of its walk",
          each,
          {"stand", "walk", "normal.100", "normal.200", "normal.1000", "fast.100", "fast.200",
           "fast.1000"}},

@@ -1,4 +1,4 @@
-"""Measures what a minute of a match and 10,000 steps of an environment cost, as multiples of a fixed piece of work that is done beside
+"""Measures what a minute of a match and some 10,000 steps of an environment cost, as multiples of a fixed piece of work that is done beside
 them: the figures speed.cost.*.
 
 cost.py --build build/release [--seeds 101..106] [--minutes 1] [--json out/cost.json]
