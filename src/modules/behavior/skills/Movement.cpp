@@ -103,16 +103,18 @@ void Movement::approach(const Vector2d& wanted, double turn, double maxSpeed) {
 
 Vector2d Movement::keptFromPlayers(Vector2d speed) const {
   // Walking into a robot moves it as little as oneself, and is a foul: what remains of the speed is
-  // what leads past it.
+  // what leads past it. Who gives way steps back by as much in a second as it is too near.
+  const double keptOff = manner_.giveWay ? parameters_.giveWay : parameters_.keepOff;
+  const double leastRoom = std::min(0., parameters_.keepOff - keptOff);
   const WorldState& world = tactics_.world();
   const PlayersCollection& players = world.players;
   for (const auto* team : {&players.opponents, &players.ownTeam})
     for (const LocatedPlayer& player : *team) {
       const Vector2d to = relative(world.self.pose, player.position);
-      const double distance = to.norm(), room = distance - parameters_.keepOff;
+      const double distance = to.norm(), room = distance - keptOff;
       if (room > 150 || distance < 1) continue;
       const double closing = to.dot(speed) / distance;
-      speed -= std::max(0., closing - std::max(0., room)) * to / distance;
+      speed -= std::max(0., closing - std::max(leastRoom, room)) * to / distance;
     }
   return speed;
 }

@@ -10,6 +10,7 @@ namespace gt {
 struct WalkManner {
   WalkType type = WalkType::normal;
   bool keepOffOwnArea = false;
+  bool giveWay = false;  ///< Step back from whoever is near.
 };
 
 /// Where basic behaviors want to go, made a motion request within the robot's limits.
@@ -29,6 +30,7 @@ class Movement {
     double clearance = 250;
     double freeWay = 700;
     double keepOff = 260;
+    double giveWay = 500;
     double stopBefore = 230;
     double faceTarget = 500;
     double offOwnArea = 80;
@@ -64,6 +66,8 @@ class Movement {
                 {100, 2000}),
           field("keepOff", &Parameters::keepOff, "mm",
                 "least distance from the robot's middle to that of another robot", {0, 1000}),
+          field("giveWay", &Parameters::giveWay, "mm",
+                "the same if it gives way: it steps back from who is nearer", {0, 1000}),
           field("stopBefore", &Parameters::stopBefore, "mm",
                 "distance from the robot's middle to an obstacle at which it stops", {0, 1000}),
           field("faceTarget", &Parameters::faceTarget, "mm",
@@ -120,7 +124,8 @@ class Movement {
   /// The limits of the walk type, in mm/s and rad/s.
   double maxSideways() const;
   double maxTurn() const;
-  /// A speed that does not lead into another robot.
+  /// A speed that does not lead into another robot, or leads away from who is near if this one
+  /// gives way.
   Vector2d keptFromPlayers(Vector2d speed) const;
   /// A speed that does not lead into the own penalty area, and leads out of it.
   Vector2d keptFromOwnArea(const Vector2d& speed) const;

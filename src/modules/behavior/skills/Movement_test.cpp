@@ -50,6 +50,19 @@ TEST_F(MovementTest, DoesNotWalkIntoARobot) {
   EXPECT_LT(request.walk.translation.x(), -100);
 }
 
+TEST_F(MovementTest, GivesWay) {
+  world.players.opponents = {{{0, 300}, world.frame.time, 1, 0}};
+  const WorldState state = world.state();
+  tactics.update(state);
+  movement.approach({0, 1000}, 0, 200);
+  EXPECT_GT(request.walk.translation.y(), 20) << "who does not give way goes near";
+  manner.giveWay = true;
+  movement.approach({0, 1000}, 0, 200);
+  EXPECT_LT(request.walk.translation.y(), -150) << "who does steps back";
+  movement.approach({-1000, 1000}, 0, 200);
+  EXPECT_LT(request.walk.translation.x(), -60) << "and goes past";
+}
+
 // Whatever a robot does that keeps off its own penalty area: it does not enter it.
 TEST_F(MovementTest, KeepsOffTheOwnPenaltyArea) {
   manner = {WalkType::fast, true};
