@@ -20,10 +20,14 @@ void DebugMotionControl::update(const SensorDataBuffer& sensors, const JointData
     from_ = angles_;
   }
   number_ = sequence.number;
-  if (playing_)
+  if (playing_) {
     play(sequence);
-  else
+    settling_ = parameters.settling;
+  } else if (settling_ > 0) {
+    settling_ -= frameTime;
+  } else {
     stayAsForced(measured);
+  }
   keepWithinLimits(angles_);
   joints.angles = angles_;
   gains = {};

@@ -13,13 +13,17 @@ class DebugMotionControl {
  public:
   struct Parameters {
     double tolerance = 0.1;
+    double settling = 0.4;
 
     static constexpr auto fields() {
       return Fields{
           field("tolerance", &Parameters::tolerance, "rad",
                 "a joint that is farther from where it shall be is turned by hand; legs give way "
                 "by up to 0.05 under the robot's weight",
-                {0.01, 1})};
+                {0.01, 1}),
+          field("settling", &Parameters::settling, "s",
+                "time in which joints arrive after a sequence: meanwhile nobody turns them by hand",
+                {0, 5})};
     }
   };
   Parameters parameters;
@@ -39,6 +43,7 @@ class DebugMotionControl {
   std::size_t line_ = 0;
   int frame_ = 0;     ///< Of the line.
   JointAngles from_;  ///< Where the line began.
+  double settling_ = 0;  ///< For how long joints may still arrive, in s.
   JointAngles angles_;
 };
 

@@ -80,6 +80,21 @@ TEST(DebugMotionControl, ExecutesLinesOnceOrInALoopUntilItIsStopped) {
   EXPECT_NEAR(motion.pan(), 0.1, 1e-9);
 }
 
+TEST(DebugMotionControl, JointsThatStillArriveAreNotTurnedByHand) {
+  TriedMotion motion;
+  motion.execute({TriedMotion::line(1, false, 1)});
+  double measured = 0;
+  for (int i = 0; i < 100; ++i) {
+    motion.step();
+    measured += 0.1 * (motion.pan() - measured);  // a motor that follows slowly
+    motion.force(Joint::headPan, measured);
+  }
+  EXPECT_EQ(motion.pan(), 1);
+  motion.force(Joint::headPan, 0.5);
+  motion.step();
+  EXPECT_EQ(motion.pan(), 0.5);
+}
+
 TEST(DebugMotionControl, StaysWithinLimitsAndSurvivesOtherLinesUnderTheSameNumber) {
   TriedMotion motion;
   motion.step();
