@@ -41,8 +41,8 @@ class DebugMotionControl {
   int number_ = 0;        ///< Of the last sequence.
   bool playing_ = false;  ///< It is being executed.
   std::size_t line_ = 0;
-  int frame_ = 0;     ///< Of the line.
-  JointAngles from_;  ///< Where the line began.
+  int frame_ = 0;        ///< Of the line.
+  JointAngles from_;     ///< Where the line began.
   double settling_ = 0;  ///< For how long joints may still arrive, in s.
   JointAngles angles_;
 };
