@@ -66,8 +66,8 @@ Experiment worldModelExperiment();
 /// How soon a robot knows that a ball rolls, and whether it keeps it in sight.
 Experiment rollingExperiment();
 
-/// Writes the thresholds of the collision detector into its configuration in the root, for the
-/// gaits as they are now, from walks in which nothing is touched.
+/// Writes the configuration of both collision detectors in the root, fitted to the walks as they
+/// are now.
 Result<void> calibrateCollisions(const std::vector<std::uint64_t>& seeds, const DataRoot& root,
                                  unsigned threads);
 

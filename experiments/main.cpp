@@ -273,7 +273,7 @@ void addCommands(CommandLine& line, Arguments& a, const DataRoot& root) {
   merging.add_option("results", a.results, "Files with results")->required();
   merging.add_option("--jobs", a.jobs, "A list of jobs, to report those that have no result");
   line.command("calibrate-collisions",
-               "Writes the thresholds of the collision detector into the configuration",
+               "Fits the collision detectors to the walks, and writes their configuration",
                [&] { return calibrate(a, root); });
 }
 

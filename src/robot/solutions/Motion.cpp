@@ -1,6 +1,7 @@
 #include "modules/motion/Tasks.h"
+#include "modules/motion/collisions/MotorModelCollisionDetector.h"
+#include "modules/motion/collisions/ReportCollisionDetector.h"
 #include "modules/motion/control/DebugMotionControl.h"
-#include "modules/motion/control/DefaultCollisionDetector.h"
 #include "modules/motion/control/DefaultLEDControl.h"
 #include "modules/motion/control/DefaultMotionControl.h"
 #include "modules/motion/control/DefaultSoundControl.h"
@@ -25,7 +26,8 @@ void addMotion(RobotModules& modules) {
   table.add<GetupEngine, GravityGetupEngine>("Gravity");
   table.add<MotionControl, DefaultMotionControl>("Default");
   table.add<MotionControl, DebugMotionControl>("Debug");
-  table.add<CollisionDetector, DefaultCollisionDetector>("Default");
+  table.add<CollisionDetector, MotorModelCollisionDetector>("MotorModel");
+  table.add<CollisionDetector, ReportCollisionDetector>("Report");
 }
 
 }  // namespace gt

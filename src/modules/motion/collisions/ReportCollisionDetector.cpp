@@ -1,4 +1,4 @@
-#include "modules/motion/control/DefaultCollisionDetector.h"
+#include "modules/motion/collisions/ReportCollisionDetector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,9 +17,9 @@ void pushFront(Array& values, const T& value) {
 
 }  // namespace
 
-void DefaultCollisionDetector::update(const SensorDataBuffer& sensors, const JointData& joints,
-                                      const MotionInfo& motion, CollisionPercept& percept,
-                                      Debug& debug) {
+void ReportCollisionDetector::update(const SensorDataBuffer& sensors, const JointData& joints,
+                                     const MotionInfo& motion, CollisionPercept& percept,
+                                     Debug& debug) {
   LegAngles command, measured;
   for (std::size_t i = 0; i < enumCount<Leg>; ++i)
     for (std::size_t j = 0; j < 2; ++j) {
@@ -50,7 +50,7 @@ void DefaultCollisionDetector::update(const SensorDataBuffer& sensors, const Joi
 }
 
 /// The smallest sum of squared differences over the range of phase shifts.
-double DefaultCollisionDetector::leastSum(Leg leg, std::size_t joint) const {
+double ReportCollisionDetector::leastSum(Leg leg, std::size_t joint) const {
   double least = std::numeric_limits<double>::max();
   const int last = std::max(parameters.leastShift, parameters.mostShift);
   for (int shift = parameters.leastShift; shift <= last; ++shift) {
@@ -65,7 +65,7 @@ double DefaultCollisionDetector::leastSum(Leg leg, std::size_t joint) const {
   return least;
 }
 
-DefaultCollisionDetector::Place DefaultCollisionDetector::placeOf(const MotionRequest& motion) {
+ReportCollisionDetector::Place ReportCollisionDetector::placeOf(const MotionRequest& motion) {
   if (motion.type != MotionType::walk) return {Gait::standing, 0};
   const Vector2d& v = motion.walk.translation;
   constexpr double arm = 150;  // mm: from the robot's middle to its feet
@@ -78,7 +78,7 @@ DefaultCollisionDetector::Place DefaultCollisionDetector::placeOf(const MotionRe
 }
 
 // Abrupt changes of the commands look like collisions.
-bool DefaultCollisionDetector::changedSuddenly(const MotionRequest& motion) {
+bool ReportCollisionDetector::changedSuddenly(const MotionRequest& motion) {
   const bool sudden =
       motion.type != last_.type ||
       (motion.walk.translation - last_.walk.translation).norm() > parameters.suddenSpeed ||

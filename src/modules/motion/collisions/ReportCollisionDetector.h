@@ -13,9 +13,9 @@ namespace gt {
 /// How the robot walks, as far as it matters for how its legs follow their commands.
 enum class Gait { standing, forward, backward, sideways, turning };
 
-/// Solution *Default* of CollisionDetector: compares what was requested from the legs' motors with
+/// Solution *Report* of CollisionDetector: compares what was requested from the legs' motors with
 /// what they did, since a leg that is held up lags behind (report 3.6).
-class DefaultCollisionDetector {
+class ReportCollisionDetector {
  public:
   static constexpr int window = 12;      ///< Squared differences that are summed.
   static constexpr int mostFrames = 16;  ///< By which commands may be ahead of the sensors.

@@ -1,4 +1,4 @@
-#include "modules/motion/control/DefaultCollisionDetector.h"
+#include "modules/motion/collisions/ReportCollisionDetector.h"
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ struct Walker {
   int shift, n = 0, collisions = 0;
   double strongest = 0;
   Random random{1};
-  DefaultCollisionDetector detector;
+  ReportCollisionDetector detector;
   SensorDataBuffer sensors;
   JointData joints;
   MotionInfo motion;
@@ -42,7 +42,7 @@ struct Walker {
   Debug debug{1024};
 };
 
-TEST(DefaultCollisionDetector, APhaseShiftIsNoCollision) {
+TEST(ReportCollisionDetector, APhaseShiftIsNoCollision) {
   for (const int shift : {1, 3, 5, 8}) {
     Walker walker{shift};
     walker.run(500);
@@ -50,7 +50,7 @@ TEST(DefaultCollisionDetector, APhaseShiftIsNoCollision) {
   }
 }
 
-TEST(DefaultCollisionDetector, ALegThatIsHeldUpIsOne) {
+TEST(ReportCollisionDetector, ALegThatIsHeldUpIsOne) {
   Walker walker{3};
   walker.run(200);
   ASSERT_EQ(walker.collisions, 0);
@@ -62,7 +62,7 @@ TEST(DefaultCollisionDetector, ALegThatIsHeldUpIsOne) {
   EXPECT_LT(walker.percept.lastCollision.ms, 1600 + 8 * 80);
 }
 
-TEST(DefaultCollisionDetector, TellsWhichLeg) {
+TEST(ReportCollisionDetector, TellsWhichLeg) {
   Walker walker{3};
   walker.run(200);
   bool seen = false;
@@ -74,7 +74,7 @@ TEST(DefaultCollisionDetector, TellsWhichLeg) {
   EXPECT_TRUE(seen);
 }
 
-TEST(DefaultCollisionDetector, SuddenChangesOfTheCommandsDoNotCount) {
+TEST(ReportCollisionDetector, SuddenChangesOfTheCommandsDoNotCount) {
   Walker walker{3};
   walker.run(200);
   walker.motion.executed.walk.translation = {-150, 0};
@@ -84,8 +84,8 @@ TEST(DefaultCollisionDetector, SuddenChangesOfTheCommandsDoNotCount) {
   EXPECT_GT(walker.collisions, 0) << "after they have settled";
 }
 
-TEST(DefaultCollisionDetector, FindsItsThresholdByGaitAndSpeed) {
-  using Detector = DefaultCollisionDetector;
+TEST(ReportCollisionDetector, FindsItsThresholdByGaitAndSpeed) {
+  using Detector = ReportCollisionDetector;
   const auto place = [](const Pose2D& walk) {
     MotionRequest motion;
     motion.type = MotionType::walk;
@@ -102,7 +102,7 @@ TEST(DefaultCollisionDetector, FindsItsThresholdByGaitAndSpeed) {
   EXPECT_EQ(Detector::placeOf({}).gait, Gait::standing);
 }
 
-TEST(DefaultCollisionDetector, SpecialActionsAreNotWatched) {
+TEST(ReportCollisionDetector, SpecialActionsAreNotWatched) {
   Walker walker{3};
   walker.motion.executed.type = MotionType::specialAction;
   walker.run(300, true);
