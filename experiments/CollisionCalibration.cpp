@@ -96,8 +96,8 @@ Result<std::vector<Recording>> record(const DataRoot& root, std::uint64_t seed) 
       ticks.back().free = holdUps[robot].free();
       of[robot].play = play;
     };
-    auto done = play ? watchPlay(job, root, playMinutes, observe)
-                     : watchWalks(job, root, walkMinutes, observe);
+    auto done = play ? observePlay(job, root, playMinutes, observe)
+                     : observeWalks(job, root, walkMinutes, observe);
     if (!done) return done.error();
     std::ranges::move(of, std::back_inserter(recordings));
   }

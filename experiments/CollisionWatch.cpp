@@ -128,8 +128,8 @@ void HoldUp::move(const Pose2D& pose, const MotionRequest& walk) {
   if (!speed.isZero()) made_ += way.dot(speed.normalized());
 }
 
-Result<void> watchWalks(const Job& job, const DataRoot& root, double minutes,
-                        const CollisionObserver& observe) {
+Result<void> observeWalks(const Job& job, const DataRoot& root, double minutes,
+                          const CollisionObserver& observe) {
   auto scene = loadScene(job, root);
   if (!scene) return scene.error();
   scene->fidelity = *enumValue<Fidelity>(job.parameter("fidelity"));
@@ -164,8 +164,8 @@ Result<void> watchWalks(const Job& job, const DataRoot& root, double minutes,
   return {};
 }
 
-Result<void> watchPlay(const Job& job, const DataRoot& root, double minutes,
-                       const CollisionObserver& observe) {
+Result<void> observePlay(const Job& job, const DataRoot& root, double minutes,
+                         const CollisionObserver& observe) {
   MatchOptions options{root};
   options.seed = job.seed;
   options.profile = job.parameter("profile");

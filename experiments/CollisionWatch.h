@@ -45,10 +45,10 @@ using CollisionObserver = std::function<void(std::size_t robot, const CollisionF
 
 /// Lets the eight robots of the match scene walk about without seeing anything, with all walk types
 /// of play, for some minutes. Who falls or gets stuck at the field's border is put elsewhere.
-Result<void> watchWalks(const Job& job, const DataRoot& root, double minutes,
-                        const CollisionObserver& observe);
+Result<void> observeWalks(const Job& job, const DataRoot& root, double minutes,
+                          const CollisionObserver& observe);
 /// Lets them play.
-Result<void> watchPlay(const Job& job, const DataRoot& root, double minutes,
-                       const CollisionObserver& observe);
+Result<void> observePlay(const Job& job, const DataRoot& root, double minutes,
+                         const CollisionObserver& observe);
 
 }  // namespace gt

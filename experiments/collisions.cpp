@@ -46,7 +46,7 @@ class Watch {
 };
 
 /// Both detectors of each robot, fed with the same.
-class Watches {
+class DetectorWatches {
  public:
   Result<void> read(const DataRoot& root) {
     if (auto done =
@@ -100,16 +100,16 @@ class Watches {
 };
 
 Result<Measurement> walkAndPlay(const Job& job, const DataRoot& root) {
-  Watches watches;
+  DetectorWatches watches;
   if (auto done = watches.read(root); !done) return done.error();
   const double minutes = job.number("minutes");
   const auto observe = [&](std::size_t robot, const CollisionFrame& frame) {
     watches.add(robot, frame);
   };
   Measurement measured;
-  if (auto done = watchWalks(job, root, minutes, observe); !done) return done.error();
+  if (auto done = observeWalks(job, root, minutes, observe); !done) return done.error();
   watches.measure("walk", measured);
-  if (auto done = watchPlay(job, root, minutes, observe); !done) return done.error();
+  if (auto done = observePlay(job, root, minutes, observe); !done) return done.error();
   watches.measure("play", measured);
   return measured;
 }
