@@ -104,6 +104,8 @@ struct WalkingParameters {
   double burstTime = 0.5;
   double burstSlip = 0.5;
   double contactTurn = 0;
+  double contactLag = 0;
+  double contactShaking = 0;
 
   static constexpr auto fields() {
     using P = WalkingParameters;
@@ -119,7 +121,11 @@ struct WalkingParameters {
               {0, 1}),
         field("contactTurn", &P::contactTurn, "deg/s",
               "at most, by which a robot is turned that walks against a wall or a robot",
-              {0, 360})};
+              {0, 360}),
+        field("contactLag", &P::contactLag, "",
+              "share by which its legs move less than free ones would in the same time", {0, 0.9}),
+        field("contactShaking", &P::contactShaking, "mm/s^2",
+              "standard deviation of what its acceleration sensors feel of that", {0, 20000})};
   }
 };
 

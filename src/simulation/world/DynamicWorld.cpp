@@ -24,10 +24,6 @@ constexpr double rollingMass = 1.4;  // share of its mass that a rolling ball's 
 constexpr int floorBit = 1, wallBit = 2, ballBit = 4, firstRobotBit = 8;
 static_assert(maxSceneRobots <= 28);
 
-bool isOfLeg(Joint joint) {
-  return joint >= Joint::legFR1 && joint <= Joint::legHL3;
-}
-
 Vector3d threeOf(const mjtNum* numbers) {
   return Eigen::Map<const Vector3d>(numbers);
 }

@@ -123,4 +123,11 @@ double Gait::contactTurn(const WalkingParameters& walking, bool blocked) {
   return turning_ * fromDegrees(walking.contactTurn) * tickSeconds;
 }
 
+Vector3d Gait::contactShaking(const WalkingParameters& walking, bool blocked) {
+  if (walking.contactShaking == 0 || !blocked) return Vector3d::Zero();
+  Vector3d shaking;
+  for (double& axis : shaking) axis = walking.contactShaking * random_.gaussian();
+  return shaking;
+}
+
 }  // namespace gt

@@ -31,6 +31,8 @@ class Gait {
   double progress(const WalkingParameters& walking, double speed);
   /// By how much the robot turns in this tick because something is in its way (rad).
   double contactTurn(const WalkingParameters& walking, bool blocked);
+  /// What the body feels of something in its way beside gravity (mm/s^2): its feet slip and bump.
+  Vector3d contactShaking(const WalkingParameters& walking, bool blocked);
 
  private:
   /// Goes on for a tick; `uneven` is how much higher one side or diagonal is lifted (mm).

@@ -171,5 +171,34 @@ TEST(Gait, AWallTurnsWhoWalksAgainstIt) {
   }
 }
 
+TEST(Gait, LegsThatSomethingHoldsUpLagAndTheBodyShakes) {
+  const auto walked = [](double wallAt, double lag, double shaking) {
+    SceneDescription scene = duelScene({0, wallAt, 700}, {-1500, -1000});
+    scene.walking.contactLag = lag;
+    scene.walking.contactShaking = shaking;
+    const auto world = worldOf(scene, 1);
+    RobotCommand command = standingCommand({0, 1.2, 0});
+    const double stand = command.joints[Joint::legFR1];
+    RunningStatistics off, felt;
+    for (int i = 0; i < 500; ++i) {
+      command.joints[Joint::legFR1] = stand + 0.3 * std::sin(0.2 * i);
+      world->step({&command, 1});
+      if (i < 250) continue;
+      off.add(world->robot(0).joints[Joint::legFR1] - command.joints[Joint::legFR1]);
+      felt.add(world->robot(0).specificForce.x());
+    }
+    return std::pair{off.standardDeviation(), felt.standardDeviation()};
+  };
+  constexpr double free = 0, wall = 1900;
+  const auto [lag, shaking] = walked(free, 0.5, 3000);
+  const auto [plainLag, plainShaking] = walked(wall, 0, 0);
+  const auto [heldLag, heldShaking] = walked(wall, 0.5, 3000);
+  EXPECT_NEAR(lag, plainLag, 1e-9);
+  EXPECT_GT(heldLag, 1.5 * lag);
+  EXPECT_LT(shaking, 100);
+  EXPECT_LT(plainShaking, 100);
+  EXPECT_NEAR(heldShaking, 3000, 300);
+}
+
 }  // namespace
 }  // namespace gt

@@ -118,13 +118,15 @@ void KinematicWorld::step(std::span<const RobotCommand> commands) {
 
 void KinematicWorld::moveJoints(RobotBody& robot, const JointAngles& targets) const {
   static const EnumArray<Joint, FreeMotion> free = freeMotions();
+  const double held = robot.blocked ? 1 - walkingParameters_.contactLag : 1;
   for (std::size_t j = 0; j < enumCount<Joint>; ++j) {
     if (!std::isfinite(targets.values[j])) continue;
     const JointLimits limits = limitsOf(static_cast<Joint>(j));
     const auto [share, fastest] = free.values[j];
+    const double moves = isOfLeg(static_cast<Joint>(j)) ? held : 1;
     double& angle = robot.joints.values[j];
     const double target = std::clamp(targets.values[j], limits.low, limits.high);
-    angle += std::clamp(share * (target - angle), -fastest, fastest);
+    angle += moves * std::clamp(share * (target - angle), -fastest, fastest);
   }
 }
 
@@ -300,8 +302,11 @@ void KinematicWorld::setStance(std::size_t i, bool goesOn) {
     robot.tilt = stance.tilt + sway.tilt;
     robot.roll += sway.roll;
   }
-  // The body's own motion is not felt: it follows no forces.
+  // The body's own motion is not felt, but for what is in its way: it follows no forces.
   robot.specificForce = robot.origin().rotation.transpose() * Vector3d{0, 0, 9810};
+  if (goesOn)
+    robot.specificForce +=
+        walking_[i].gait.contactShaking(walkingParameters_, robot.blocked);
   writeRobot(i);
 }
 

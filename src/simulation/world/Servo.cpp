@@ -18,8 +18,7 @@ constexpr double margin = 1.8;  ///< The speed without load as a multiple of wha
 }  // namespace
 
 Motor motorOf(Joint joint) {
-  const bool ofLeg = joint >= Joint::legFR1 && joint <= Joint::legHL3;
-  return {ofLeg ? legTorque : otherTorque, margin * limitsOf(joint).speed};
+  return {isOfLeg(joint) ? legTorque : otherTorque, margin * limitsOf(joint).speed};
 }
 
 ServoGains gainsOf(const PidGains& words) {

@@ -3,6 +3,10 @@
 
 namespace gt {
 
+constexpr bool isOfLeg(Joint joint) {
+  return joint >= Joint::legFR1 && joint <= Joint::legHL3;
+}
+
 /// What a joint's motor can: its torque falls with its speed, as that of each DC motor does.
 struct Motor {
   double stallTorque;  ///< Nm
