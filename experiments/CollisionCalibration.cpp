@@ -17,8 +17,15 @@ namespace {
 
 using Detector = MotorModelCollisionDetector;
 
-constexpr double walkMinutes = 2, playMinutes = 6;  // with each seed
-constexpr double alarms = 0.3;  // a minute of free play, at which the threshold is set
+/// What is recorded with each seed. The dynamic fidelity is the truth; in the kinematic one only
+/// the contacts are to be told as well.
+constexpr struct Source {
+  const char* fidelity;
+  bool play;
+  double minutes;
+} sources[]{
+    {"dynamic", false, 2}, {"dynamic", true, 6}, {"kinematic", false, 2}, {"kinematic", true, 2}};
+constexpr double alarms = 0.35;  // a minute of free play, at which the threshold is set
 
 /// What a robot did in a tick, as short as it can be kept.
 struct Tick {
@@ -32,7 +39,7 @@ struct Tick {
 
 struct Recording {
   std::vector<Tick> ticks;
-  bool play = false;
+  const Source* source = nullptr;
 };
 
 constexpr std::size_t firstJoint = static_cast<std::size_t>(Joint::legFR1);
@@ -77,31 +84,40 @@ struct Playback {
   MotionInfo motion;
 };
 
-/// The recordings of all robots, first while they walk about, then while they play.
-Result<std::vector<Recording>> record(const DataRoot& root, std::uint64_t seed) {
+/// Records all robots while they walk about, or play.
+Result<std::vector<Recording>> record(const DataRoot& root, std::uint64_t seed,
+                                      const Source& source) {
   Job job;
   job.seed = seed;
-  job.parameters = {{"profile", "padova"}, {"fidelity", "dynamic"}};
+  job.parameters = {{"profile", "padova"}, {"fidelity", source.fidelity}};
   std::vector<Recording> recordings;
-  for (const bool play : {false, true}) {
-    std::vector<Recording> of;
-    std::vector<HoldUp> holdUps;
-    const auto observe = [&](std::size_t robot, const CollisionFrame& frame) {
-      if (of.size() <= robot) of.resize(robot + 1), holdUps.resize(robot + 1);
-      std::vector<Tick>& ticks = of[robot].ticks;
-      ticks.push_back(tickOf(frame));
-      if (holdUps[robot].add(frame) != HoldUp::Ended::none)
-        std::for_each(ticks.end() - HoldUp::window, ticks.end(),
-                      [](Tick& tick) { tick.held = true; });
-      ticks.back().free = holdUps[robot].free();
-      of[robot].play = play;
-    };
-    auto done = play ? observePlay(job, root, playMinutes, observe)
-                     : observeWalks(job, root, walkMinutes, observe);
-    if (!done) return done.error();
-    std::ranges::move(of, std::back_inserter(recordings));
-  }
+  std::vector<HoldUp> holdUps;
+  const auto observe = [&](std::size_t robot, const CollisionFrame& frame) {
+    if (recordings.size() <= robot) {
+      recordings.resize(robot + 1, {{}, &source});
+      holdUps.resize(robot + 1);
+    }
+    std::vector<Tick>& ticks = recordings[robot].ticks;
+    ticks.push_back(tickOf(frame));
+    if (holdUps[robot].add(frame) != HoldUp::Ended::none)
+      std::for_each(ticks.end() - HoldUp::window, ticks.end(),
+                    [](Tick& tick) { tick.held = true; });
+    ticks.back().free = holdUps[robot].free();
+  };
+  auto done = source.play ? observePlay(job, root, source.minutes, observe)
+                          : observeWalks(job, root, source.minutes, observe);
+  if (!done) return done.error();
   return recordings;
+}
+
+Result<std::vector<Recording>> recordAll(const DataRoot& root, std::uint64_t seed) {
+  std::vector<Recording> all;
+  for (const Source& source : sources) {
+    auto some = record(root, seed, source);
+    if (!some) return some.error();
+    std::ranges::move(*some, std::back_inserter(all));
+  }
+  return all;
 }
 
 /// Calls with each tick of a recording and with the features until then.
@@ -211,7 +227,8 @@ Examples examplesOf(const std::vector<Recording>& recordings,
   return examples;
 }
 
-/// By how much scores have to be lower so that no more alarms are false in a minute of free play.
+/// By how much scores have to be lower so that no more alarms are false in free play, in the
+/// dynamic fidelity.
 double thresholdOf(const std::vector<Recording>& recordings,
                    const Detector::Parameters& parameters) {
   constexpr float none = -1e9F;
@@ -219,7 +236,7 @@ double thresholdOf(const std::vector<Recording>& recordings,
   std::vector<const Recording*> played;
   double freeMinutes = 0;
   for (const Recording& recording : recordings) {
-    if (!recording.play) continue;
+    if (recording.source != &sources[1]) continue;
     played.push_back(&recording);
     std::vector<float>& of = scores.emplace_back();
     follow(recording, parameters,
@@ -317,7 +334,7 @@ Result<void> write(const DataRoot& root, const char* solution, const char* sente
 Result<void> calibrateCollisions(const std::vector<std::uint64_t>& seeds, const DataRoot& root,
                                  unsigned threads) {
   auto results =
-      inParallel(seeds.size(), threads, [&](std::size_t i) { return record(root, seeds[i]); });
+      inParallel(seeds.size(), threads, [&](std::size_t i) { return recordAll(root, seeds[i]); });
   std::vector<Recording> recordings;
   for (auto& result : results) {
     if (!result) return result.error();

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "match/TestMatch.h"
+#include "representations/perception/CollisionPercept.h"
 #include "streams/Mcap.h"
 
 namespace gt {
@@ -54,6 +55,30 @@ TEST_F(MatchTest, WhatCannotBePlayedLeavesTheLogsOfTheMatchBefore) {
     const auto now = readFile((folder / "kept" / name).string());
     EXPECT_TRUE(!now || *now == bytes) << name;  // the summary is no file
   }
+}
+
+/// The sample of report 3.6: a robot that sees nothing gets away from whatever it runs into.
+TEST_F(MatchTest, ARobotTurnsAwayFromWhatItsLegsBumpInto) {
+  MatchOptions options;
+  options.scene = "scenes/turn-away.scene";
+  options.seed = 1;
+  const auto match = Match::make(options);
+  ASSERT_TRUE(match) << match.error().text();
+  const RobotBody& body = (*match)->simulation().world().robot(0);
+  const Robot& robot = (*match)->robots()[0]->robot();
+  int felt = 0, stuck = 0, longest = 0;
+  Time last = never();
+  for (int tick = 0; tick < 60 * 125; ++tick) {
+    (*match)->step();
+    const Time collision = robot.provided<CollisionPercept>()->lastCollision;
+    felt += collision - last > 1000;
+    last = collision;
+    stuck = body.blocked ? stuck + 1 : 0;
+    longest = std::max(longest, stuck);
+  }
+  EXPECT_GE(felt, 3);
+  EXPECT_GT(body.walked, 5000);
+  EXPECT_LT(longest, 3 * 125);
 }
 
 /// The report 2.2.3: modules are grouped to processes without a change of their code.

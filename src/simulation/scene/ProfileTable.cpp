@@ -8,7 +8,6 @@ namespace {
 constexpr std::string_view measured = "measured in the four ERS-7 images";
 constexpr std::string_view estimated = "estimated";
 constexpr std::string_view chosen = "chosen by `realism.*`";
-constexpr std::string_view contacts = "as the dynamic fidelity looks to `worldmodel.collisions`";
 constexpr std::string_view swaying = "as in the dynamic fidelity, `realism.sway`";
 
 // perfect, benign, padova, rough
@@ -43,8 +42,11 @@ constexpr ProfileNumber table[] = {
     {"walking", "burstTime", {{0.5, 0.5, 0.5, 1}}, estimated},
     {"walking", "burstSlip", {{0, 0.5, 0.5, 1}}, estimated},
     {"walking", "contactTurn", {{0, 0, 20, 40}}, estimated},
-    {"walking", "contactLag", {{0, 0, 0.5, 0.7}}, contacts},
-    {"walking", "contactShaking", {{0, 0, 3000, 4000}}, contacts},
+    {"walking", "contactLag", {{0, 0, 0.5, 0.7}}, estimated},
+    {"walking",
+     "contactShaking",
+     {{0, 0, 3000, 4000}},
+     "as in the dynamic fidelity, `worldmodel.collisions`"},
     {"camera", "rollingShutter", {{0, 1, 1, 1}}, "facts, 1.3: a CMOS sensor"},
     {"camera", "blur", {{0, 0.6, 0.83, 1.66}}, measured},
     {"camera", "vignetting", {{0, 0.2, 0.4, 0.8}}, measured},

@@ -305,8 +305,7 @@ void KinematicWorld::setStance(std::size_t i, bool goesOn) {
   // The body's own motion is not felt, but for what is in its way: it follows no forces.
   robot.specificForce = robot.origin().rotation.transpose() * Vector3d{0, 0, 9810};
   if (goesOn)
-    robot.specificForce +=
-        walking_[i].gait.contactShaking(walkingParameters_, robot.blocked);
+    robot.specificForce += walking_[i].gait.contactShaking(walkingParameters_, robot.blocked);
   writeRobot(i);
 }
 
