@@ -95,8 +95,9 @@ struct BodyParameters {
   }
 };
 
-/// How the carpet shortens walked distances, and where feet slip on it. The dynamic fidelity does
-/// not need it: friction has this effect there. Element `walking`.
+/// How the carpet shortens walked distances, where feet slip on it, and what is felt of things in
+/// the way. The dynamic fidelity does not need it: friction and contacts have this effect there.
+/// Element `walking`.
 struct WalkingParameters {
   double shortfall = 0;
   double gaitShortfall = 0;

@@ -17,8 +17,6 @@ double deviation(double meanSquare, double usual) {
   return std::log(std::sqrt(std::max(0., meanSquare)) / usual + noise);
 }
 
-constexpr std::size_t firstJoint = static_cast<std::size_t>(Joint::legFR1);
-
 }  // namespace
 
 void CollisionFeatures::add(const SensorData& measured, const JointData& commanded,
@@ -31,12 +29,15 @@ void CollisionFeatures::add(const SensorData& measured, const JointData& command
   newest_ = (newest_ + 1) % last_.size();
   Frame& frame = last_[newest_];
   for (std::size_t j = 0; j < legJoints; ++j)
-    frame.commands[j] = commanded.angles.values[firstJoint + j];
-  for (std::size_t j = 0; j < legJoints; ++j) {
-    double off = measured.joints.values[firstJoint + j] - motors[j][motorLag];
-    for (std::size_t k = 0; k < motorLag; ++k) off -= motors[j][k] * before(k).commands[j];
-    frame.squares[j] = off * off;
+    frame.commands[j] = commanded.angles.values[firstLegJoint + j];
+  std::array<double, legJoints> off;
+  for (std::size_t j = 0; j < legJoints; ++j)
+    off[j] = measured.joints.values[firstLegJoint + j] - motors[j][motorLag];
+  for (std::size_t k = 0; k < motorLag; ++k) {
+    const auto& commands = before(k).commands;
+    for (std::size_t j = 0; j < legJoints; ++j) off[j] -= motors[j][k] * commands[j];
   }
+  for (std::size_t j = 0; j < legJoints; ++j) frame.squares[j] = off[j] * off[j];
   frame.acceleration = measured.acceleration;
   const Pose2D& walk = executed.walk;
   frame.speed = {walk.translation.x() / usualSpeed, walk.translation.y() / usualSpeed,
@@ -48,10 +49,11 @@ CollisionFeatures::Values CollisionFeatures::values() const {
   auto value = values.begin();
   std::array<double, states> all{};
   auto state = all.begin();
+  std::array<double, legJoints> squares{};
+  Vector3d sum = Vector3d::Zero(), sumOfSquares = Vector3d::Zero();
+  std::size_t ago = 0;
   for (const std::size_t window : windows) {
-    std::array<double, legJoints> squares{};
-    Vector3d sum = Vector3d::Zero(), sumOfSquares = Vector3d::Zero();
-    for (std::size_t ago = 0; ago < window; ++ago) {
+    for (; ago < window; ++ago) {
       const Frame& frame = before(ago);
       for (std::size_t j = 0; j < legJoints; ++j) squares[j] += frame.squares[j];
       sum += frame.acceleration;
@@ -69,7 +71,7 @@ CollisionFeatures::Values CollisionFeatures::values() const {
   }
   const Vector3d& speed = before(0).speed;
   for (const double axis : speed) *state++ = std::abs(axis);
-  for (const std::size_t ago : changes) *state++ = (speed - before(ago).speed).norm();
+  for (const std::size_t frame : changes) *state++ = (speed - before(frame).speed).norm();
   value = std::ranges::copy(all, value).out;
   for (std::size_t a = 0; a < states; ++a)
     for (std::size_t b = a; b < states; ++b) *value++ = all[a] * all[b];

@@ -8,7 +8,8 @@
 
 namespace gt {
 
-constexpr std::size_t legJoints = 12;  ///< Of all legs, from Joint::legFR1 on.
+/// The joints of all legs, from this one on.
+constexpr std::size_t firstLegJoint = static_cast<std::size_t>(Joint::legFR1), legJoints = 12;
 
 /// Linear models of the motors of the legs' joints: the shares of a joint's last commands, the
 /// newest first, in the angle that is measured, and a constant (rad).

@@ -7,8 +7,6 @@
 namespace gt {
 namespace {
 
-constexpr std::size_t firstJoint = static_cast<std::size_t>(Joint::legFR1);
-
 /// Legs whose joints are where they were commanded some frames ago, and models that know it.
 struct Legs {
   explicit Legs(std::size_t late = 3) : late{late} {
@@ -22,8 +20,8 @@ struct Legs {
   void run(int count) {
     for (int i = 0; i < count; ++i, ++n) {
       for (std::size_t j = 0; j < legJoints; ++j) {
-        joints.angles.values[firstJoint + j] = command(j, n);
-        measured.joints.values[firstJoint + j] =
+        joints.angles.values[firstLegJoint + j] = command(j, n);
+        measured.joints.values[firstLegJoint + j] =
             command(j, n - static_cast<int>(late)) + (j == off ? by : 0);
       }
       measured.acceleration = {shaking * (n % 2 ? 1 : -1), 0, 9810};
