@@ -176,6 +176,7 @@ struct SoccerOutputs final : soccer::Outputs {
   void setHeadScanRange(double range) override { head.scanRange = fromDegrees(range); }
   void setMotionWalkType(WalkType type) override { manner.type = type; }
   void setMotionKeepOffOwnArea(bool keepOff) override { manner.keepOffOwnArea = keepOff; }
+  void setMotionEndPushes(bool end) override { manner.endPushes = end; }
   void setMotionGiveWay(bool giveWay) override { manner.giveWay = giveWay; }
   void setLedLowerLeft(LedMode mode) override { leds.modes[Led::lowerLeft] = mode; }
   void setLedUpperLeft(LedMode mode) override { leds.modes[Led::upperLeft] = mode; }

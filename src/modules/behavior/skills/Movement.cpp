@@ -47,11 +47,33 @@ double Movement::maxTurn() const {
 }
 
 void Movement::walk(const Vector2d& wanted, double turn) {
-  const Vector2d speed = manner_.keepOffOwnArea ? keptFromOwnArea(wanted) : wanted;
+  const Vector2d fair = manner_.endPushes ? keptFromPushing(wanted) : wanted;
+  const Vector2d speed = manner_.keepOffOwnArea ? keptFromOwnArea(fair) : fair;
   request(MotionType::walk);
   request_.walk = {std::clamp(turn, -maxTurn(), maxTurn()),
                    std::clamp(speed.x(), -maxSideways(), parameters_.maxForward),
                    std::clamp(speed.y(), -maxSideways(), maxSideways())};
+}
+
+Vector2d Movement::keptFromPushing(const Vector2d& speed) {
+  constexpr std::int64_t felt = 100, memory = 500;  // ms
+  const WorldState& world = tactics_.world();
+  const double passed = static_cast<double>(std::min(felt, world.frame.time - walked_));
+  walked_ = world.frame.time;
+  if (back_ > 0) {
+    back_ -= passed;
+    return -parameters_.backSpeed * pushing_.normalized();
+  }
+  // As a referee counts: what was free for half the time is no push any more.
+  const bool isHeldUp = world.frame.time - world.collision.lastCollision < felt;
+  pushed_ = std::max(0., pushed_ + (isHeldUp ? passed : -2 * passed));
+  if (pushed_ == 0) pushing_.setZero();
+  pushing_ += (speed - pushing_) * passed / memory;
+  if (pushed_ > parameters_.pushTime) {
+    pushed_ = 0;
+    back_ = parameters_.backTime;
+  }
+  return speed;
 }
 
 Vector2d Movement::keptFromOwnArea(const Vector2d& speed) const {

@@ -10,7 +10,8 @@ namespace gt {
 struct WalkManner {
   WalkType type = WalkType::normal;
   bool keepOffOwnArea = false;
-  bool giveWay = false;  ///< Step back from whoever is near.
+  bool giveWay = false;    ///< Step back from whoever is near.
+  bool endPushes = false;  ///< Step back from what holds the legs up for long.
 };
 
 /// Where basic behaviors want to go, made a motion request within the robot's limits.
@@ -31,6 +32,9 @@ class Movement {
     double freeWay = 700;
     double keepOff = 260;
     double giveWay = 500;
+    double pushTime = 1500;
+    double backTime = 700;
+    double backSpeed = 200;
     double stopBefore = 230;
     double faceTarget = 500;
     double offOwnArea = 80;
@@ -68,6 +72,11 @@ class Movement {
                 "least distance from the robot's middle to that of another robot", {0, 1000}),
           field("giveWay", &Parameters::giveWay, "mm",
                 "the same if it gives way: it steps back from who is nearer", {0, 1000}),
+          field("pushTime", &Parameters::pushTime, "ms",
+                "for how long something holds its legs up until it steps back, if it ends pushes",
+                {0, 10'000}),
+          field("backTime", &Parameters::backTime, "ms", "for how long it steps back", {0, 10'000}),
+          field("backSpeed", &Parameters::backSpeed, "mm/s", "how fast it steps back", {0, 400}),
           field("stopBefore", &Parameters::stopBefore, "mm",
                 "distance from the robot's middle to an obstacle at which it stops", {0, 1000}),
           field("faceTarget", &Parameters::faceTarget, "mm",
@@ -127,6 +136,9 @@ class Movement {
   /// A speed that does not lead into another robot, or leads away from who is near if this one
   /// gives way.
   Vector2d keptFromPlayers(Vector2d speed) const;
+  /// A speed that leads back from what has held the legs up for long: against where the robot
+  /// wanted to go meanwhile.
+  Vector2d keptFromPushing(const Vector2d& speed);
   /// A speed that does not lead into the own penalty area, and leads out of it.
   Vector2d keptFromOwnArea(const Vector2d& speed) const;
   /// The offset to a place, or to what has to be passed before it on the way around the own penalty
@@ -146,6 +158,9 @@ class Movement {
   const Parameters& parameters_;
   FieldPilot pilot_;
   bool piloted_ = false;
+  Time walked_ = never();
+  double pushed_ = 0, back_ = 0;         // ms: of the push until now, of the steps back to come
+  Vector2d pushing_ = Vector2d::Zero();  // mm/s: the mean speed wanted during the push
 };
 static_assert(complete<Movement::Parameters>);
 

@@ -63,6 +63,31 @@ TEST_F(MovementTest, GivesWay) {
   EXPECT_LT(request.walk.translation.x(), -60) << "and goes past";
 }
 
+// Two robots that want to the same place push each other, though neither sees the other one.
+TEST_F(MovementTest, StepsBackFromWhatHoldsItsLegsUpForLong) {
+  const auto walkFor = [&](int images, bool isHeldUp) {
+    for (int image = 0; image < images; ++image) {
+      world.frame.time = world.frame.time + 40;
+      if (isHeldUp) world.collision.lastCollision = world.frame.time - 8;
+      const WorldState state = world.state();
+      tactics.update(state);
+      movement.walk({120, 90}, 0.5);
+    }
+    return request.walk.translation;
+  };
+  manner.endPushes = true;
+  EXPECT_GT(walkFor(30, true).x(), 100) << "1.2 s";
+  EXPECT_GT(walkFor(20, false).x(), 100) << "it came free";
+  EXPECT_GT(walkFor(30, true).x(), 100) << "a push of its own";
+  const Vector2d back = walkFor(10, true);
+  EXPECT_NEAR(back.x(), -160, 1) << "against where it wanted to go";
+  EXPECT_NEAR(back.y(), -120, 1);
+  EXPECT_EQ(request.walk.rotation, 0.5);
+  EXPECT_GT(walkFor(20, false).x(), 100) << "after 0.7 s";
+  manner.endPushes = false;
+  EXPECT_GT(walkFor(100, true).x(), 100) << "only who shall end pushes";
+}
+
 // Whatever a robot does that keeps off its own penalty area: it does not enter it.
 TEST_F(MovementTest, KeepsOffTheOwnPenaltyArea) {
   manner = {WalkType::fast, true};
