@@ -68,7 +68,9 @@ void KickWatch::begin(const PlayMoment& moment, std::size_t robot) {
     end(moment.ball.position, kick_->team == team, kick_->team == team && kick_->robot != robot);
   TeamRecord& record = of(team);
   ++record.kicks;
-  kick_ = Kick{robot, team, moment.time, moment.ball.position};
+  kick_ = Kick{robot, team, moment.time, moment.ball.position, {}};
+  if (moment.robots[robot].hasRole)
+    kick_->planned = moment.robots[robot].kickTarget - moment.ball.position;
   const Approach& approach = robots_[robot].approach;
   if (!approach.known) return;
   record.afterTouch.push_back(approach.rolls + approach.comes + approach.lines);
@@ -91,11 +93,22 @@ void KickWatch::end(const Vector2d& ball, bool own, bool pass) {
   TeamRecord& record = of(kick_->team);
   const Vector2d way = toTeam(kick_->team, Vector2d{ball - kick_->from});
   record.ways.push_back(way.norm());
+  comparePlan(ball - kick_->from);
   record.back.count(way.x() < -back);
   record.ownTouch.count(own);
   record.passes.count(pass);
   if (kick_->onGoal) of(opponent(kick_->team)).saved.count(true);
   kick_.reset();
+}
+
+void KickWatch::comparePlan(const Vector2d& way) {
+  constexpr double moved = 100;  // mm
+  if (!kick_->planned || kick_->planned->norm() < moved) return;
+  TeamRecord& record = of(kick_->team);
+  record.ofPlanned.push_back(100 * way.norm() / kick_->planned->norm());
+  if (way.norm() > moved)
+    record.offPlanned.push_back(
+        toDegrees(std::abs(normalize(angleOf(way) - angleOf(*kick_->planned)))));
 }
 
 void KickWatch::goal(TeamColor team) {
@@ -123,6 +136,8 @@ void KickWatch::report(double minutes, PlayFigures& figures) const {
     figures.share(name("kick.pass"), record.passes);
     figures.share(name("goal.saved"), record.saved);
     figures.spread(name("kick.way"), "mm", record.ways);
+    figures.spread(name("kick.ofPlanned"), "%", record.ofPlanned);
+    figures.spread(name("kick.offPlanned"), "deg", record.offPlanned);
     figures.spread(name("kick.afterTouch"), "s", record.afterTouch);
     figures.spread(name("kick.afterTouch.rolls"), "s", record.rolls);
     figures.spread(name("kick.afterTouch.comes"), "s", record.comes);

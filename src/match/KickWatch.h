@@ -29,6 +29,7 @@ class KickWatch {
     TeamColor team;
     Time began;
     Vector2d from = Vector2d::Zero();  ///< where the ball lay
+    std::optional<Vector2d> planned;   ///< the way that the robot wants it to go
     Time lastTouch = never();          ///< by the kicker
     bool free = false;                 ///< The ball has left the kicker.
     bool onGoal = false;               ///< as the kicker's last touch had it roll
@@ -45,7 +46,8 @@ class KickWatch {
   struct TeamRecord {
     int kicks = 0;
     PlayShare hits, onGoal, back, ownTouch, passes, saved;
-    std::vector<double> ways;  ///< mm
+    std::vector<double> ways;                   ///< mm
+    std::vector<double> ofPlanned, offPlanned;  ///< % of the way planned, and degrees
     std::vector<double> afterTouch, rolls, comes, lines;
   };
 
@@ -55,6 +57,8 @@ class KickWatch {
   /// The ball leaves the kicker, which has hit it.
   void leave();
   void end(const Vector2d& ball, bool own, bool pass);
+  /// The way of the ball that the kick has moved.
+  void comparePlan(const Vector2d& way);
   TeamRecord& of(TeamColor team) { return teams_[indexOf(team)]; }
 
   FieldDimensions field_;

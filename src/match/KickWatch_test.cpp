@@ -81,6 +81,23 @@ TEST_F(KickWatchTest, CountsShotsThatEndBeforeTheMotionDoes) {
   EXPECT_EQ(figure("blue.goal.saved"), 50);
 }
 
+TEST_F(KickWatchTest, ComparesTheWayWithTheOneThatTheRobotPlanned) {
+  moment.robots[0].kickTarget = {1000, 800};
+  kick(watch, {800, 0});
+  moment.ball.position = {1400, 0};
+  see(watch);
+  touch(1);
+  see(watch);
+  EXPECT_NEAR(*figure("red.kick.ofPlanned.median"), 50, 1e-9);
+  EXPECT_NEAR(*figure("red.kick.offPlanned.median"), 90, 1e-9);
+  moment.robots[0].hasRole = false;
+  later();
+  kick(watch, {800, 0});
+  touch(1);
+  see(watch);
+  EXPECT_NEAR(*figure("red.kick.ofPlanned.median"), 50, 1e-9) << "its plan is not known";
+}
+
 TEST_F(KickWatchTest, CountsKicksThatMissTheBall) {
   moment.robots[0].kicks = true;
   see(watch);

@@ -69,10 +69,12 @@ void MatchStatistics::watchPlay() {
     robot.action = records_[i].lastAction;
     const BehaviorTeamMessage* decision = robots_[i]->decision();
     robot.hasRole = decision != nullptr;
-    if (decision)
+    if (decision) {
       robot.role = decision->role;
-    else if (player.role == PlayerRole::goalie)
+      robot.kickTarget = toTeam(player.teamColor, decision->kickTarget);
+    } else if (player.role == PlayerRole::goalie) {
       robot.role = DynamicRole::goalie;
+    }
     if (const BallModel* ball = robots_[i]->ball())
       robot.ballUnseen = static_cast<double>(simulation_.image(i).time - ball->lastSeen);
   }

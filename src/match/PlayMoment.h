@@ -22,7 +22,8 @@ struct PlayMoment {
     std::string_view action;               ///< The special action that it performs; empty: none.
     bool hasRole = true;                   ///< Its role is known.
     DynamicRole role = DynamicRole::defensiveSupporter;
-    double ballUnseen = 0;  ///< ms, since its camera saw the ball
+    double ballUnseen = 0;                   ///< ms, since its camera saw the ball
+    Vector2d kickTarget = Vector2d::Zero();  ///< mm, on the field, if its role is known
 
     double distanceTo(const BallState& to) const { return (position - to.position).norm(); }
   };

@@ -17,6 +17,7 @@ struct BehaviorTeamMessage {
   double estimatedTimeToReachBall = 1e6;
   int striker = 0;
   int handOver = 0;
+  Vector2d kickTarget = Vector2d::Zero();
 
   static constexpr auto fields() {
     return Fields{
@@ -25,7 +26,11 @@ struct BehaviorTeamMessage {
         field("striker", &BehaviorTeamMessage::striker, "",
               "number of the player that the sender takes for the striker, 0 nobody", {0, 4}),
         field("handOver", &BehaviorTeamMessage::handOver, "",
-              "number of the decision that made it striker; the highest one counts", {0, 1000000})};
+              "number of the decision that made it striker; the highest one counts", {0, 1000000}),
+        field(
+            "kickTarget", &BehaviorTeamMessage::kickTarget, "mm",
+            "where the kick that it performs or plans brings the ball if nothing is in its way, on "
+            "the field")};
   }
 };
 

@@ -65,6 +65,7 @@ void KickChoice::update(const WorldState& world, const ObstaclesModel& obstacles
       planned_ = world.frame.time;
       plannedBall_ = ballOnField_;
     }
+    if (now_ == 0) aim_ = aimOf(plan_);
     decide(unseen);
   } else {
     now_ = 0;
@@ -105,7 +106,14 @@ void KickChoice::decide(std::int64_t unseen) {
   if (possible.motion == 0 || possible.worth < enough) return;
   now_ = possible.motion;
   target_ = ballOnField_ + direction(possible.direction) * p_.follows;
+  aim_ = aimOf(possible);
   if (!stopping) decided_ = time;
+}
+
+Vector2d KickChoice::aimOf(const Plan& plan) const {
+  if (plan.motion == 0) return ballOnField_;
+  const auto motion = static_cast<std::size_t>(plan.motion);
+  return ballOnField_ + direction(plan.direction) * world_->motions.motions[motion].kick.length;
 }
 
 void KickChoice::look(const ObstaclesModel& obstacles) {

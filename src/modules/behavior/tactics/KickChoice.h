@@ -166,6 +166,9 @@ class KickChoice {
   const Plan& plan() const { return plan_; }
   /// Where the last kick sent the ball, on the field (mm), and when it ended.
   const Vector2d& target() const { return target_; }
+  /// Where the kick that is performed, or the plan, brings the ball if nothing is in its way, on
+  /// the field (mm).
+  const Vector2d& aim() const { return aim_; }
   Time lastKick() const { return lastKick_; }
   /// The motion to be performed now, until it ends; 0 none.
   int now() const { return now_; }
@@ -244,6 +247,8 @@ class KickChoice {
   bool needsPlan() const;
   void choosePlan();
   void decide(std::int64_t unseen);
+  /// Where a kick brings the ball from where it lies (mm, on the field).
+  Vector2d aimOf(const Plan& plan) const;
   Plan worthNow(int begun);
   bool hasRoom(const Facing& facing) const;
   void look(const ObstaclesModel& obstacles);
@@ -263,7 +268,7 @@ class KickChoice {
   Plan plan_;
   Vector2d plannedBall_ = Vector2d::Zero();  ///< where it was on the field for the plan
   int now_ = 0;
-  Vector2d target_ = Vector2d::Zero();
+  Vector2d target_ = Vector2d::Zero(), aim_ = Vector2d::Zero();
   Time planned_ = never(), decided_ = never(), atBallSince_ = never(), lastKick_ = never();
 };
 static_assert(complete<KickChoice::Parameters>);

@@ -71,6 +71,8 @@ TEST_F(KickChoiceTest, ShootsAtTheGoalAtOnce) {
   EXPECT_EQ(choose().plan().motion, ahead);
   EXPECT_LT(std::abs(crossing()), 240);
   EXPECT_EQ(choose().now(), ahead);
+  EXPECT_NEAR((choice->aim() - ball).norm(), 2500, 1) << "as far as the kick gets";
+  EXPECT_GT(choice->aim().x(), world.field.xGroundline);
 }
 
 TEST_F(KickChoiceTest, PlaysTheBallToWhereItsTeamHasLearnedThatItIsWorthMore) {

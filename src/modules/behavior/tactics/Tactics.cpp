@@ -98,10 +98,11 @@ void Tactics::negotiateRole() {
   const double time = plays() ? estimatedTimeToReachBall() : RoleNegotiation::notAvailable;
   if (w.player.role == PlayerRole::goalie) {
     message_ = {DynamicRole::goalie, time};
-    return;
+  } else {
+    roles_.update({w.player.number(), time, w.self.pose.translation.x()}, w.team, w.frame.time);
+    message_ = roles_.message();
   }
-  roles_.update({w.player.number(), time, w.self.pose.translation.x()}, w.team, w.frame.time);
-  message_ = roles_.message();
+  message_.kickTarget = kick_.aim();
 }
 
 }  // namespace gt
