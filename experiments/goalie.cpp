@@ -146,7 +146,7 @@ Experiment goalieExperiment() {
           "it lets in (shots)",
           {profileParameter(),
            {"part", "balls at rest or shots", Parameter::Kind::each, {"grid", "shots"}},
-           {"fidelity", "of the bodies", Parameter::Kind::choice, {"kinematic", "dynamic"}},
+           {"fidelity", "of the bodies", Parameter::Kind::choice, {"kinematic", "dynamic"}, true},
            teamParameter("red"),
            teamParameter("blue"),
            oracledParameter(),

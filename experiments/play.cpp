@@ -103,7 +103,7 @@ Experiment experiment(const char* name, const char* description,
                       decltype(Experiment::measure) measure, std::vector<Parameter> more = {}) {
   std::vector<Parameter> parameters{
       profileParameter(),
-      {"fidelity", "of the bodies", Parameter::Kind::choice, {"kinematic", "dynamic"}},
+      {"fidelity", "of the bodies", Parameter::Kind::choice, {"kinematic", "dynamic"}, true},
       teamParameter("red"),
       teamParameter("blue"),
       oracledParameter(),
