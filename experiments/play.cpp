@@ -28,7 +28,7 @@ Aim aimOf(std::string_view figure) {
       {"strikers.two", Aim::atMost(0.5)},         {"strikers.none", Aim::atMost(1)},
       {"striker.unseen", Aim::atMost(18)},        {"penalties", Aim::atMost(0.15)},
       {"kick.afterTouch.median", Aim::atMost(6)}, {"letIn.touched", Aim::atMost(2. / 80)},
-      {"letIn.beside", Aim::atMost(4. / 80)},
+      {"letIn.unseen", Aim::atMost(4. / 80)},
   };
   if (figure.ends_with("Charge")) return Aim::atMost(0);
   const auto must = musts.find(figure.substr(figure.find('.') + 1));

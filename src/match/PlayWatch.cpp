@@ -95,8 +95,11 @@ void PlayWatch::watchGoalies() {
     if (robot.role != DynamicRole::goalie) continue;
     RobotRecord& record = robots_[i];
     const bool lies = ball.speed.norm() < rollingBall && robot.distanceTo(ball) < beside;
+    const bool isUnseen = lies && robot.ballUnseen > ballLost;
     record.ballBeside = lies ? record.ballBeside + tickSeconds : 0;
+    record.besideUnseen = isUnseen ? record.besideUnseen + tickSeconds : 0;
     if (record.ballBeside > isLong) record.leftBall = moment_.time;
+    if (record.besideUnseen > isLong) record.missedBall = moment_.time;
     if (ball.lastToucher != static_cast<int>(i) &&
         rollsIntoGoal(ball, opponent(robot.team), field_, deceleration_))
       of(robot.team).shot = moment_.time;
@@ -111,6 +114,7 @@ GoalCause PlayWatch::causeOf(TeamColor letIn) const {
   if (goalie == robots_.end()) return GoalCause::shot;
   const bool wasShot = moment_.time - teams_[indexOf(letIn)].shot < recently;
   if (!wasShot && moment_.ball.lastToucher == goalie - robots_.begin()) return GoalCause::touched;
+  if (moment_.time - goalie->missedBall < recently) return GoalCause::unseen;
   return moment_.time - goalie->leftBall < recently ? GoalCause::beside : GoalCause::shot;
 }
 
@@ -142,8 +146,8 @@ void PlayWatch::interrupt() {
   shots_.interrupt();
   for (TeamRecord& team : teams_) team.shot = never();
   for (RobotRecord& record : robots_) {
-    record.leftBall = never();
-    record.ballBeside = 0;
+    record.leftBall = record.missedBall = never();
+    record.ballBeside = record.besideUnseen = 0;
   }
 }
 

@@ -11,8 +11,9 @@
 namespace gt {
 
 /// How a goal came about: the goalie pushed in a ball that was not on its way in; the ball lay
-/// beside a goalie that left it there; or it was shot, whether or not the goalie touched it then.
-enum class GoalCause { touched, beside, shot };
+/// beside a goalie that did not see it; or it lay beside one that saw it; or it was shot, whether
+/// or not the goalie touched it then.
+enum class GoalCause { touched, unseen, beside, shot };
 
 /// How teams play: where the ball's time goes, what becomes of kicks and shots, who goes to the
 /// ball and whether it sees it, how goals come about, who breaks which rule. What experiments
@@ -41,8 +42,9 @@ class PlayWatch {
     TeamColor team = TeamColor::red;
     DynamicRole role = DynamicRole::defensiveSupporter, before = role;
     Time changed = never();
-    double ballBeside = 0;    ///< for how long the ball has been lying beside it (s)
-    Time leftBall = never();  ///< when the ball had been lying beside it for long
+    /// For how long the ball has been lying beside it, and that unseen (s).
+    double ballBeside = 0, besideUnseen = 0;
+    Time leftBall = never(), missedBall = never();  ///< when that had been so for long
     Vector2d position = Vector2d::Zero(), speed = Vector2d::Zero();
   };
   struct TeamRecord {

@@ -134,8 +134,15 @@ TEST_F(PlayWatchTest, KnowsHowGoalsComeAbout) {
   kick({500, 0});
   score();
   EXPECT_EQ(letIn("beside"), 1);
+  interrupt();
+  moment.ball = {.position = {1950, 250}};
+  moment.robots[1].ballUnseen = 1500;
+  for (int i = 0; i < 150; ++i) see();
+  kick({500, 0});
+  score();
+  EXPECT_EQ(letIn("unseen"), 1);
   EXPECT_EQ(figure("red.letIn.shot"), 0);
-  EXPECT_EQ(figure("red.goals"), 4);
+  EXPECT_EQ(figure("red.goals"), 5);
 }
 
 TEST_F(PlayWatchTest, CountsPenaltiesByTheirCause) {
