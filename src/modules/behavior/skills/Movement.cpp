@@ -64,7 +64,7 @@ Vector2d Movement::keptFromPushing(const Vector2d& speed) {
     back_ -= passed;
     return -parameters_.backSpeed * pushing_.normalized();
   }
-  // As a referee counts: what was free for half the time is no push any more.
+  // As a referee counts: who was free for half as long as it pushed pushes no more.
   const bool isHeldUp = world.frame.time - world.collision.lastCollision < felt;
   pushed_ = std::max(0., pushed_ + (isHeldUp ? passed : -2 * passed));
   if (pushed_ == 0) pushing_.setZero();

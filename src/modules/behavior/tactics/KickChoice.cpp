@@ -69,6 +69,7 @@ void KickChoice::update(const WorldState& world, const ObstaclesModel& obstacles
     decide(unseen);
   } else {
     now_ = 0;
+    aim_ = ballOnField_;
     planned_ = never();
   }
 }

@@ -167,7 +167,7 @@ class KickChoice {
   /// Where the last kick sent the ball, on the field (mm), and when it ended.
   const Vector2d& target() const { return target_; }
   /// Where the kick that is performed, or the plan, brings the ball if nothing is in its way, on
-  /// the field (mm).
+  /// the field (mm). Without either: where the ball lies.
   const Vector2d& aim() const { return aim_; }
   Time lastKick() const { return lastKick_; }
   /// The motion to be performed now, until it ends; 0 none.

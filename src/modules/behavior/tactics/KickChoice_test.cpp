@@ -383,7 +383,9 @@ TEST_F(KickChoiceTest, PlansAnewWhenItBeginsToPlayAgain) {
   ball = {0, 0};
   EXPECT_STREQ(plans(true), "ahead");
   valueTheOwnHalf();
+  EXPECT_GT((choice->aim() - ball).norm(), 2000);
   EXPECT_STREQ(plans(false), "ahead");
+  EXPECT_EQ(choice->aim(), ball) << "teammates are told of no plan that it does not follow";
   EXPECT_STREQ(plans(true), "back");
 }
 
