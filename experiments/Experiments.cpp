@@ -17,10 +17,11 @@ const Experiments& experiments() {
     for (const auto& experiment : headExperiments()) list.push_back(experiment);
     for (const auto& experiment : challengeExperiments()) list.push_back(experiment);
     for (const auto& experiment : playExperiments()) list.push_back(experiment);
+    for (const auto& experiment : calibrationExperiments()) list.push_back(experiment);
     for (const auto& experiment :
          {fidelityExperiment(), goalieExperiment(), showExperiment(), kickExperiment(),
           kickTableExperiment(), grabExperiment(), matchExperiment(), soakExperiment(),
-          calibrationExperiment(), visionExperiment(), visionPlayExperiment(),
+          visionExperiment(), visionPlayExperiment(),
           visionSightExperiment(), collisionExperiment(), worldModelExperiment(),
           rollingExperiment()})
       list.push_back(experiment);

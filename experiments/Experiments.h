@@ -51,8 +51,9 @@ Experiment showExperiment();
 /// 22 robots and 10 balls while everything goes wrong: half an hour in the kinematic fidelity, some
 /// minutes in the dynamic one.
 Experiment soakExperiment();
-/// Opening angles and body offsets from images of a checkerboard (report 3, B.4.5).
-Experiment calibrationExperiment();
+/// Opening angles and body offsets from images of a checkerboard (report 3, B.4.5), and what a body
+/// leans by from what is seen in play.
+Experiments calibrationExperiments();
 /// The image processors on random views of the simulated field.
 Experiment visionExperiment();
 /// The image processor that adapts its colors while robots play (report 6.2.1).
@@ -70,5 +71,8 @@ Experiment rollingExperiment();
 /// are now.
 Result<void> calibrateCollisions(const std::vector<std::uint64_t>& seeds, const DataRoot& root,
                                  unsigned threads);
+/// Writes how bodies lean on legs that give, fitted to the walks as they are now.
+Result<void> calibratePosture(const std::vector<std::uint64_t>& seeds, const DataRoot& root,
+                              unsigned threads);
 
 }  // namespace gt

@@ -1,14 +1,18 @@
-// Has robots look at a checkerboard that do not know how their bodies lean nor how wide their
-// cameras see, and compares what they find out with the truth.
+// Has robots look at a checkerboard, or play, that do not know how their bodies lean nor how wide
+// their cameras see, and compares what they find out with the truth.
 #include <algorithm>
 #include <memory>
 
+#include "ChangedRoot.h"
 #include "Experiments.h"
 #include "Profiles.h"
+#include "measure/worlds/GameViews.h"
 #include "modules/perception/calibration/CheckerboardDetector.h"
 #include "modules/perception/processors/DefaultSensorDataProcessor.h"
 #include "modules/perception/testing/FoundPercepts.h"
 #include "simulation/Simulation.h"
+#include "streams/Config.h"
+#include "streams/File.h"
 
 namespace gt {
 namespace {
@@ -36,8 +40,9 @@ class Watcher : public RobotController {
     image.info = believed_;
     sensorDataProcessor_.update({input.now}, input.sensors, image, RobotDimensions{},
                                 RobotCalibration{}, FieldDimensions{}, MotionInfo{}, OdometryData{},
+                                Previous<BallPercept>{percepts_.ball},
                                 Previous<LandmarksPercept>{percepts_.landmarks}, matrix_, body_,
-                                psd_);
+                                psd_, learned_);
     detector_.update(image, matrix_, input.sensors, RobotDimensions{}, RobotCalibration{},
                      percepts_, debug_);
     found_ += detector_.corners().empty() ? 0 : 1;
@@ -56,6 +61,7 @@ class Watcher : public RobotController {
   CameraMatrix matrix_;
   BodyPercept body_;
   PsdPercept psd_;
+  LearnedCalibration learned_;
   FoundPercepts percepts_;
   Debug debug_{1 << 16};
   int found_ = 0, pictures_ = 0;
@@ -101,13 +107,97 @@ Result<Measurement> calibrateCamera(const Job& job, const DataRoot& root) {
   return measured;
 }
 
+/// A root whose robots believe that their bodies lean by so much (rad) and that their legs are
+/// longer than they are, by a share.
+Result<std::unique_ptr<ChangedRoot>> mistaken(const DataRoot& root, double tilt, double roll,
+                                              double longer) {
+  auto changed = ChangedRoot::make(root, "");
+  if (!changed) return changed;
+  RobotDimensions robot;
+  for (Vector3d* bone : {&robot.upperLeg, &robot.lowerLegFore, &robot.lowerLegHind})
+    *bone *= 1 + longer;
+  const DataRoot within = (*changed)->root();
+  if (auto done = writeFile(within.path("config/dimensions.cfg"), writeConfig(robot)); !done)
+    return done.error();
+  if (auto done = writeFile(within.path("config/robot.cfg"), writeConfig(RobotCalibration{tilt, roll}));
+      !done)
+    return done.error();
+  return changed;
+}
+
+/// Robots begin a match with wrong beliefs: how far the camera matrices are off in the mean of the
+/// first seconds, and after a minute.
+Result<Measurement> calibrateInPlay(const Job& job, const DataRoot& root) {
+  constexpr double wrong = fromDegrees(3), longer = 0.05;
+  constexpr double first = 15, minute = 60, during = 15;  // s
+  const double tilt = job.seed % 2 == 0 ? wrong : -wrong, roll = job.seed % 4 < 2 ? wrong : -wrong;
+  const auto changed = mistaken(root, tilt, roll, longer);
+  if (!changed) return changed.error();
+  MatchOptions options{(*changed)->root()};
+  options.seed = job.seed;
+  options.profile = job.parameter("profile");
+  options.fidelity = job.parameter("fidelity");
+  options.minutes = 2;
+  auto match = Match::make(options);
+  if (!match) return match.error();
+  const Simulation& simulation = (*match)->simulation();
+  struct Errors {
+    RunningStatistics tilt, roll, height;
+  };
+  struct OfRobot {
+    Time last = never();
+    Errors before, after;
+  };
+  std::vector<OfRobot> robots((*match)->robots().size());
+  for (double now = 0; now < minute + during;) {
+    (*match)->step();
+    now = static_cast<double>((*match)->time().ms) / 1000;
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+      const auto* matrix = (*match)->robots()[i]->robot().provided<CameraMatrix>();
+      if (!matrix || !matrix->valid || matrix->time == robots[i].last) continue;
+      robots[i].last = matrix->time;
+      if (now >= first && now < minute) continue;
+      const std::size_t index = (*match)->robotIndex(i);
+      const Pose3D truth =
+          trueMatrix(simulation.lastView(index), simulation.world().robot(index).pose).pose;
+      const Eigen::AngleAxisd turn(matrix->pose.rotation * truth.rotation.transpose());
+      Errors& errors = now < first ? robots[i].before : robots[i].after;
+      errors.tilt.add(toDegrees(turn.angle() * turn.axis().y()));
+      errors.roll.add(toDegrees(turn.angle() * turn.axis().x()));
+      errors.height.add(matrix->pose.translation.z() - truth.translation.z());
+    }
+  }
+  Measurement measured;
+  for (const auto& [name, errors] :
+       {std::pair{"before", &OfRobot::before}, {"after", &OfRobot::after}}) {
+    std::vector<double> tilts, rolls, heights;
+    for (const OfRobot& robot : robots) {
+      if ((robot.*errors).tilt.count() == 0) continue;
+      tilts.push_back(std::abs((robot.*errors).tilt.mean()));
+      rolls.push_back(std::abs((robot.*errors).roll.mean()));
+      heights.push_back(std::abs((robot.*errors).height.mean()));
+    }
+    const std::string prefix = std::string{"vision.selfCalibration."} + name;
+    measured.add(prefix + ".tilt", "deg", mean(tilts));
+    measured.add(prefix + ".roll", "deg", mean(rolls));
+    measured.add(prefix + ".height", "mm", mean(heights));
+    measured.add(prefix + ".tilt.worst", "deg", quantile(tilts, 1));
+    measured.add(prefix + ".roll.worst", "deg", quantile(rolls, 1));
+  }
+  return measured;
+}
+
 }  // namespace
 
-Experiment calibrationExperiment() {
-  return {"vision.calibration",
-          "Opening angles and body offsets that robots find with a checkerboard",
-          {profileParameter()},
-          calibrateCamera};
+Experiments calibrationExperiments() {
+  return {{"vision.calibration",
+           "Opening angles and body offsets that robots find with a checkerboard",
+           {profileParameter()},
+           calibrateCamera},
+          {"vision.selfCalibration",
+           "What is left in play of wrong beliefs of tilt, roll (3 degrees) and legs (5 % longer)",
+           {profileParameter(), fidelityParameter()},
+           calibrateInPlay}};
 }
 
 }  // namespace gt

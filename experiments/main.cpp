@@ -216,10 +216,11 @@ Result<int> measure(const Arguments& arguments, const DataRoot& root) {
   return ended->status;
 }
 
-Result<void> calibrate(const Arguments& arguments, const DataRoot& root) {
+Result<void> calibrate(const Arguments& arguments, const DataRoot& root,
+                       decltype(calibrateCollisions) fit) {
   const auto seeds = parseSeeds(arguments.seeds);
   if (!seeds) return seeds.error();
-  return calibrateCollisions(*seeds, root, arguments.threads);
+  return fit(*seeds, root, arguments.threads);
 }
 
 /// Experiments, their parameters and values, for --help.
@@ -274,7 +275,10 @@ void addCommands(CommandLine& line, Arguments& a, const DataRoot& root) {
   merging.add_option("--jobs", a.jobs, "A list of jobs, to report those that have no result");
   line.command("calibrate-collisions",
                "Fits the collision detectors to the walks, and writes their configuration",
-               [&] { return calibrate(a, root); });
+               [&] { return calibrate(a, root, calibrateCollisions); });
+  line.command("calibrate-posture",
+               "Fits how bodies lean on legs that give to the walks, and writes the configuration",
+               [&] { return calibrate(a, root, calibratePosture); });
 }
 
 }  // namespace

@@ -55,10 +55,11 @@ void addErrors(Measurement& run, const std::string& name, const std::vector<doub
   run.add(name + ".belowMean", "%", percentBelow(errors, mean(errors)));
 }
 
-/// How far a measured camera matrix is from the true one: where its axis points up, and how it
-/// rolls about it (deg).
+/// How far a measured camera matrix is from the true one: where its axis points up, how it rolls
+/// about it (deg), and the square of both errors and that of the height, each divided by what the
+/// matrix tells of it.
 struct MatrixErrors {
-  std::vector<double> tilt, roll, height;
+  std::vector<double> tilt, roll, height, squared;
 
   void add(const CameraMatrix& measured, const CameraMatrix& truth) {
     if (!measured.valid) return;
@@ -68,16 +69,25 @@ struct MatrixErrors {
     const auto rolling = [](const CameraMatrix& matrix) {
       return toDegrees(std::atan2(matrix.pose.rotation(2, 1), matrix.pose.rotation(2, 2)));
     };
+    const double higher = measured.pose.translation.z() - truth.pose.translation.z();
     tilt.push_back(std::abs(elevation(measured) - elevation(truth)));
     roll.push_back(std::abs(rolling(measured) - rolling(truth)));
-    height.push_back(std::abs(measured.pose.translation.z() - truth.pose.translation.z()));
+    height.push_back(std::abs(higher));
+    const Eigen::AngleAxisd turn(measured.pose.rotation * truth.pose.rotation.transpose());
+    Vector3d error = turn.angle() * turn.axis();
+    error.z() = higher;
+    squared.push_back(error.dot(measured.covariance.ldlt().solve(error)) / 3);
   }
   void addTo(Measurement& run, const std::string& name) const {
-    run.add(name + ".tilt.mean", "deg", mean(tilt));
-    run.add(name + ".tilt.p95", "deg", quantile(tilt, 0.95));
-    run.add(name + ".roll.mean", "deg", mean(roll));
-    run.add(name + ".roll.p95", "deg", quantile(roll, 0.95));
+    for (const auto& [of, sizes] : {std::pair{".tilt", &tilt}, {".roll", &roll}}) {
+      run.add(name + of + ".mean", "deg", mean(*sizes));
+      run.add(name + of + ".p95", "deg", quantile(*sizes, 0.95));
+      std::vector<double> squares;
+      for (const double size : *sizes) squares.push_back(size * size);
+      run.add(name + of + ".rms", "deg", std::sqrt(mean(squares)));
+    }
     run.add(name + ".height.mean", "mm", mean(height));
+    run.add(name + ".told", "", mean(squared));
   }
 };
 

@@ -190,8 +190,11 @@ const std::vector<AimOf> visionAims{{"ball.found", Aim::atLeast(98)},
 
 /// Vision of some robots. Each has a body of its own, and learns in play how old its images are.
 struct Eyes {
-  Eyes(Processor processor, std::size_t robots)
-      : sensorDataProcessors(robots), percepts(robots), imageProcessor{std::move(processor)} {}
+  Eyes(Processor processor, const DefaultSensorDataProcessor::Parameters& sensors,
+       std::size_t robots)
+      : sensorDataProcessors(robots), percepts(robots), imageProcessor{std::move(processor)} {
+    for (auto& each : sensorDataProcessors) each.parameters = sensors;
+  }
 
   std::vector<DefaultSensorDataProcessor> sensorDataProcessors;
   std::vector<FoundPercepts> percepts;
@@ -199,6 +202,7 @@ struct Eyes {
   CameraMatrix matrix;
   BodyPercept body;
   PsdPercept psd;
+  LearnedCalibration learned;
 
   void look(const GameView& view, bool trueCamera) {
     FoundPercepts& found = percepts[view.robot];
@@ -209,7 +213,8 @@ struct Eyes {
       sensorDataProcessors[view.robot].update(
           {view.image.time - (i == 0 ? tickMs : 0)}, view.sensors, view.image, RobotDimensions{},
           RobotCalibration{}, FieldDimensions{}, MotionInfo{}, odometry[i],
-          Previous<LandmarksPercept>{found.landmarks}, matrix, body, psd);
+          Previous<BallPercept>{found.ball}, Previous<LandmarksPercept>{found.landmarks}, matrix, body,
+          psd, learned);
     if (trueCamera) matrix = view.camera;
     imageProcessor(view.image, matrix, found);
   }
@@ -257,7 +262,11 @@ Result<Tally> comparePercepts(const Condition& condition, const DataRoot& root,
   VisionTruth truth{views->world(), views->scene()};
   VisionMeasures measures{truth};
   Tally tally;
-  Eyes eyes{condition.processor(colors), views->world().activeRobots()};
+  DefaultSensorDataProcessor::Parameters sensors;
+  if (auto read = readConfig(root.path("config/modules/SensorDataProcessor.Default.cfg"), sensors);
+      !read)
+    return read.error();
+  Eyes eyes{condition.processor(colors), sensors, views->world().activeRobots()};
   const int moments = std::max(1, static_cast<int>(job.number("moments") * condition.share));
   const bool trueCamera = job.parameter("camera") == "true";
   for (int i = 0; i < moments; ++i) {

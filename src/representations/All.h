@@ -39,6 +39,7 @@
 #include "representations/perception/CollisionPercept.h"
 #include "representations/perception/ColorTable64.h"
 #include "representations/perception/LandmarksPercept.h"
+#include "representations/perception/LearnedCalibration.h"
 #include "representations/perception/LinesPercept.h"
 #include "representations/perception/ObstaclesPercept.h"
 #include "representations/perception/PlayersPercept.h"
@@ -56,7 +57,7 @@ using AllRepresentations =
          SensorData, SensorDataBuffer, BallModel, TeamBallModel, ObstaclesModel, PlayersCollection,
          RobotPose, RobotState, GetupEngineOutput, HeadMotionRequest, JointDataSequence, KickTable,
          MotionInfo, MotionNet, OdometryData, SpecialActionsOutput, WalkingEngineOutput,
-         BallPercept, BodyPercept, CameraMatrix, CollisionPercept, ColorTable64, LandmarksPercept,
+         BallPercept, BodyPercept, CameraMatrix, CollisionPercept, ColorTable64, LandmarksPercept, LearnedCalibration,
          LinesPercept, ObstaclesPercept, PlayersPercept, PsdPercept>;
 
 }  // namespace gt

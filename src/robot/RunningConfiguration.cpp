@@ -5,7 +5,9 @@
 
 #include "base/Lines.h"
 #include "robot/Configuration.h"
+#include "representations/perception/LearnedCalibration.h"
 #include "robot/Solutions.h"
+#include "streams/Config.h"
 #include "streams/File.h"
 
 namespace gt {
@@ -52,6 +54,16 @@ Result<void> savePart(ObservedRobot& robot, const ConfigurationPart& part, const
   fs::remove(file, failure);
   if (failure) return Error{.file = file.string(), .what = failure.message()};
   return {};
+}
+
+/// What a robot has learned of itself replaces what it began with.
+Result<void> saveLearned(ObservedRobot& robot, const fs::path& folder) {
+  const std::string name{representation<LearnedCalibration>().name};
+  if (!std::ranges::binary_search(robot.representations(), name)) return {};
+  const auto value = robot.value(name);
+  if (!value) return value.error();
+  const auto& learned = *static_cast<const LearnedCalibration*>(value->data());
+  return writeFile((folder / "robot.cfg").string(), writeConfig(learned.robot));
 }
 
 /// Sets a solution's parameters line by line, as in a file of the folder modules/.
@@ -106,7 +118,7 @@ Result<void> saveRunningConfiguration(ObservedRobot& robot, const std::string& f
   if (auto done = saveModules(robot, folder); !done) return done;
   for (const ConfigurationPart& part : allModules().parts)
     if (auto done = savePart(robot, part, folder); !done) return done;
-  return {};
+  return saveLearned(robot, folder);
 }
 
 Result<void> loadRunningConfiguration(ObservedRobot& robot, const std::string& folder,

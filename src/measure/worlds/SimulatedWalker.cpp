@@ -16,13 +16,11 @@ namespace gt {
 /// The robot's program: walks as requested, turns the head, looks at images.
 class SimulatedWalker::Body : public RobotController {
  public:
-  Body(ColorTable64 colors, const InvKinWalkingEngine::Parameters& walk, const WalkerWorld& world)
+  Body(ColorTable64 colors, const InvKinWalkingEngine::Parameters& walk,
+       const DefaultSensorDataProcessor::Parameters& sensors, const WalkerWorld& world)
       : colors_{std::move(colors)}, walkType_{world.walkType} {
     engine_.parameters = walk;
-    if (world.legsOnly) {
-      sensorDataProcessor_.parameters.posture.lean = 0;
-      sensorDataProcessor_.parameters.posture.swayShare = 0;
-    }
+    sensorDataProcessor_.parameters = sensors;
   }
 
   void cycle(const RobotInput& input, RobotOutput& output) override {
@@ -53,7 +51,7 @@ class SimulatedWalker::Body : public RobotController {
   void look(const RobotInput& input) {
     sensorDataProcessor_.update({input.now}, input.sensors, *input.image, RobotDimensions{},
                                 RobotCalibration{}, FieldDimensions{}, motion_, odometry,
-                                Previous<LandmarksPercept>{landmarks}, matrix, body_, psd_);
+                                Previous<BallPercept>{ball_}, Previous<LandmarksPercept>{landmarks}, matrix, body_, psd_, learned_);
     imageProcessor_.update(*input.image, matrix, colors_, FieldDimensions{},
                            {ball_, landmarks, lines, players_, obstacles_}, debug_);
   }
@@ -77,6 +75,7 @@ class SimulatedWalker::Body : public RobotController {
   GT2003ImageProcessor imageProcessor_;
   BodyPercept body_;
   PsdPercept psd_;
+  LearnedCalibration learned_;
   BallPercept ball_;
   PlayersPercept players_;
   ObstaclesPercept obstacles_;
@@ -93,6 +92,13 @@ Result<std::unique_ptr<SimulatedWalker>> SimulatedWalker::make(const DataRoot& r
   InvKinWalkingEngine::Parameters walk;
   if (auto read = readConfig(root.path("config/modules/WalkingEngine.InvKin.cfg"), walk); !read)
     return read.error();
+  DefaultSensorDataProcessor::Parameters sensors;
+  sensors.lean.learns = false;
+  if (!world.legsOnly) {
+    sensors = {};
+    auto read = readConfig(root.path("config/modules/SensorDataProcessor.Default.cfg"), sensors);
+    if (!read) return read.error();
+  }
   setProfile(*scene, world.profile);
   if (world.change) world.change(*scene);
   scene->noise.slip = std::max(world.slip, scene->noise.slip);
@@ -106,7 +112,7 @@ Result<std::unique_ptr<SimulatedWalker>> SimulatedWalker::make(const DataRoot& r
   std::unique_ptr<SimulatedWalker> walker{new SimulatedWalker{seed, world}};
   walker->simulation_ = *std::move(simulation);
   walker->player.teamColor = walker->simulation_->players()[0].teamColor;
-  auto body = std::make_unique<Body>(*std::move(colors), walk, world);
+  auto body = std::make_unique<Body>(*std::move(colors), walk, sensors, world);
   walker->body_ = body.get();
   walker->simulation_->attach(0, std::move(body));
   walker->placeFlags();

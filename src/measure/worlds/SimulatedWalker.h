@@ -26,7 +26,7 @@ struct WalkerWorld {
   WalkType walkType = WalkType::normal;
   double walkingSpeed = 150;  ///< mm/s; faster than it can: as fast as it can.
   bool walks = true;
-  bool legsOnly = false;           ///< Acceleration does not correct the body's posture.
+  bool legsOnly = false;           ///< Tilt and roll are those of stiff legs.
   std::uint64_t missingFlags = 0;  ///< As many of the six beacons were taken away.
   double misplacedFlags = 0;       ///< mm, by which each stands elsewhere.
   double wrong = 0;                ///< Share of what is seen that is made something else.

@@ -55,10 +55,9 @@ BodyPosture bodyPosture(const RobotDimensions& robot, const JointAngles& angles)
 
 BodyPosture bodyPosture(const RobotDimensions& robot, const RobotCalibration& calibration,
                         const JointAngles& joints) {
-  BodyPosture posture = bodyPosture(robot, joints);
-  posture.tilt += calibration.bodyTiltOffset;
-  posture.roll += calibration.bodyRollOffset;
-  return posture;
+  return bodyPosture(robot, joints) + BodyPosture{calibration.bodyHeightOffset,
+                                                  calibration.bodyTiltOffset,
+                                                  calibration.bodyRollOffset};
 }
 
 BodyPosture restingPosture(const RobotDimensions& robot, const JointAngles& angles,

@@ -11,6 +11,10 @@ struct BodyPosture {
   double height = 0;  ///< mm, of the body's origin above the ground.
   double tilt = 0;    ///< rad, + nose up.
   double roll = 0;    ///< rad, + right side down.
+
+  BodyPosture operator+(const BodyPosture& other) const {
+    return {height + other.height, tilt + other.tilt, roll + other.roll};
+  }
 };
 
 /// The body's posture from the joints, on the assumption that roll is 0 and at least one fore and

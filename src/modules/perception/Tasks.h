@@ -5,6 +5,7 @@
 #include "representations/perception/BodyPercept.h"
 #include "representations/perception/CameraMatrix.h"
 #include "representations/perception/LandmarksPercept.h"
+#include "representations/perception/LearnedCalibration.h"
 #include "representations/perception/LinesPercept.h"
 #include "representations/perception/ObstaclesPercept.h"
 #include "representations/perception/PlayersPercept.h"
@@ -14,7 +15,7 @@ namespace gt {
 
 /// The task of making sense of the body's sensors (report 3.1).
 struct SensorDataProcessor {
-  using Outputs = std::tuple<CameraMatrix, BodyPercept, PsdPercept>;
+  using Outputs = std::tuple<CameraMatrix, BodyPercept, PsdPercept, LearnedCalibration>;
 };
 
 /// The task of finding things in an image (report 3.2). Percepts are places around the robot: of an

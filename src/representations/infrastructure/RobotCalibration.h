@@ -9,12 +9,20 @@ namespace gt {
 struct RobotCalibration {
   double bodyTiltOffset = 0;
   double bodyRollOffset = 0;
+  double bodyHeightOffset = 0;
+  double headRollOffset = 0;
+
+  bool operator==(const RobotCalibration&) const = default;
 
   static constexpr auto fields() {
     return Fields{field("bodyTiltOffset", &RobotCalibration::bodyTiltOffset, "rad",
                         "added to the body's tilt, + nose up", {-0.5, 0.5}),
                   field("bodyRollOffset", &RobotCalibration::bodyRollOffset, "rad",
-                        "added to the body's roll, + right side down", {-0.5, 0.5})};
+                        "added to the body's roll, + right side down", {-0.5, 0.5}),
+                  field("bodyHeightOffset", &RobotCalibration::bodyHeightOffset, "mm",
+                        "added to the body's height", {-50, 50}),
+                  field("headRollOffset", &RobotCalibration::headRollOffset, "rad",
+                        "added to the head's roll, + right ear down", {-0.5, 0.5})};
   }
 };
 

@@ -14,6 +14,13 @@ struct CameraMatrix {
   Vector3d turning = Vector3d::Zero();
   CameraInfo info;
   bool valid = false;
+  Matrix3d covariance = usualCovariance();
+
+  /// That of a walking robot of which no more is known.
+  static Matrix3d usualCovariance() {
+    constexpr double angle = fromDegrees(1.2), height = 4;  // mm
+    return Vector3d{angle * angle, angle * angle, height * height}.asDiagonal();
+  }
 
   /// The camera's rotation when a row was exposed. Row 0 is exposed (height - 1) * rowTime before
   /// the image's time.
@@ -29,13 +36,22 @@ struct CameraMatrix {
   /// camera; not normalized.
   Vector3d ray(double x, double y) const { return rotationAt(y) * info.ray(x, y); }
 
+  /// The variance of how high something is seen in a direction in the robot's system (rad^2).
+  double elevationVariance(double azimuth) const {
+    const Vector2d lowers{-std::sin(azimuth), std::cos(azimuth)};
+    return lowers.dot(covariance.topLeftCorner<2, 2>() * lowers);
+  }
+
   static constexpr auto fields() {
     return Fields{field("time", &CameraMatrix::time, "ms", "of the image"),
                   field("pose", &CameraMatrix::pose, "mm", "when the middle row was exposed"),
                   field("turning", &CameraMatrix::turning, "rad/s",
                         "angular velocity of the camera in the robot's system"),
                   field("info", &CameraMatrix::info),
-                  field("valid", &CameraMatrix::valid, "", "false during kicks and falls")};
+                  field("valid", &CameraMatrix::valid, "", "false during kicks and falls"),
+                  field("covariance", &CameraMatrix::covariance, "",
+                        "of the errors of the rotation about the robot's x and y axis (rad) and of "
+                        "the height (mm)")};
   }
 };
 

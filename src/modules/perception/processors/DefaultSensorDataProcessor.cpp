@@ -43,6 +43,11 @@ Vector3d rotationVector(const Matrix3d& rotation) {
   return turn.axis() * turn.angle();
 }
 
+/// Where the camera looks, to the left of straight ahead (rad).
+double azimuthOf(const CameraMatrix& matrix) {
+  return angleOf(matrix.pose.rotation.col(0).head<2>());
+}
+
 /// Whether the time of a frame lies in an image's exposure, half a tick early or late included.
 bool isDuring(const SensorData& frame, Time end, double duration) {
   constexpr double halfTick = 4;
@@ -118,17 +123,6 @@ JointMotion jointMotion(const SensorDataBuffer& sensors, Time end, double durati
   return motion;
 }
 
-Vector3d accelerationDuring(const SensorDataBuffer& sensors, Time end, double duration) {
-  Vector3d sum = Vector3d::Zero();
-  int n = 0;
-  for (const SensorData& frame : sensors.frames) {
-    if (!isDuring(frame, end, duration)) continue;
-    sum += frame.acceleration;
-    ++n;
-  }
-  return n > 0 ? Vector3d{sum / n} : sensors.at(end).acceleration;
-}
-
 Vector3d averageAcceleration(const SensorDataBuffer& sensors, int ticks) {
   const int n = std::clamp(ticks, 1, SensorDataBuffer::capacity);
   Vector3d sum = Vector3d::Zero();
@@ -142,14 +136,23 @@ void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorData
                                         const RobotCalibration& calibration,
                                         const FieldDimensions& field, const MotionInfo& motion,
                                         const OdometryData& odometry,
+                                        Previous<BallPercept> ball,
                                         Previous<LandmarksPercept> landmarks, CameraMatrix& matrix,
-                                        BodyPercept& body, PsdPercept& psd) {
+                                        BodyPercept& body, PsdPercept& psd,
+                                        LearnedCalibration& learned) {
   // On a log that holds percepts instead of images, those of this image have come already.
   if (landmarks->time == lastMatrix_.time) lastLandmarks_ = *landmarks;
   delay_.learn(lastLandmarks_, lastMatrix_, odometry_, field, parameters.delayMemory);
   lastLandmarks_ = *landmarks;
+  // With another robot.cfg it is another robot.
+  if (calibration != calibration_) lean_ = {};
+  calibration_ = calibration;
+  lean_.parameters = parameters.lean;
+  if (landmarks->time == lastMatrix_.time && lastMatrix_.valid) {
+    takeHeights(lastMatrix_, *ball, *landmarks, field, heights_);
+    lean_.learn(heights_, azimuthOf(lastMatrix_));
+  }
   const SensorData& newest = sensors.newest();
-  fusion_.parameters = parameters.posture;
   const Vector3d shortAverage = averageAcceleration(sensors, parameters.shortAverage);
   const double elapsed = static_cast<double>(frame.time - lastUpdate_);
   const double gain = 1 - std::exp(-elapsed / parameters.longAverage);
@@ -176,26 +179,36 @@ void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorData
   const Time end = image.time - std::lround(delay);
   const JointMotion joints = jointMotion(sensors, end, exposure);
   const bool stands = body.state == BodyState::standing;
-  // Kicks and falls tell nothing of how the body leans where it stands.
-  if (stands && motion.stable)
-    fusion_.update(bodyPosture(robot, calibration, joints.at(0)),
-                   accelerationDuring(sensors, end, exposure), elapsed,
-                   motion.executed.type == MotionType::walk);
-  const RobotCalibration corrected{calibration.bodyTiltOffset + fusion_.tilt(),
-                                   calibration.bodyRollOffset + fusion_.roll()};
+  lean_.predict(elapsed, speed.rotation != 0 || !speed.translation.isZero());
+  const PostureModel legsGive{parameters.posture};
+  const auto leaningAt = [&](Time moment) {
+    return lean_.posture() +
+           legsGive.correction(PostureModel::featuresAt(robot, sensors, moment));
+  };
   // What neither walks nor kicks may lie, as a goalie that blocks: how it lies shows at rest.
   const std::optional<Vector3d> gravity = motion.stable ? std::nullopt : gravityAtRest(sensors);
-  const auto poseFor = [&](const JointAngles& angles) {
-    return cameraPoseOn(
-        robot,
-        gravity ? restingPosture(robot, angles, *gravity) : bodyPosture(robot, corrected, angles),
-        angles);
+  const auto poseFor = [&](JointAngles angles, const BodyPosture& leaning) {
+    const BodyPosture leaned = gravity ? restingPosture(robot, angles, *gravity)
+                                       : bodyPosture(robot, calibration, angles) + leaning;
+    angles[Joint::headRoll] += calibration.headRollOffset + lean_.headRoll();
+    return cameraPoseOn(robot, leaned, angles);
   };
-  matrix = cameraMatrix(joints, image, delay, speed, poseFor);
+  const BodyPosture leaning = leaningAt(image.time - std::lround(delay + exposure / 2));
+  matrix = cameraMatrix(joints, image, delay, speed,
+                        [&](const JointAngles& angles) { return poseFor(angles, leaning); });
+  matrix.covariance = lean_.covariance(azimuthOf(matrix));
   matrix.valid = stands && (motion.stable || gravity);
   lastMatrix_ = matrix;
 
-  const Pose3D camera = poseFor(newest.joints);
+  const BodyPosture built = lean_.built(), deviation = lean_.deviation();
+  learned.robot = {calibration.bodyTiltOffset + built.tilt, calibration.bodyRollOffset + built.roll,
+                   calibration.bodyHeightOffset + built.height,
+                   calibration.headRollOffset + lean_.headRoll()};
+  learned.deviation = {deviation.tilt, deviation.roll, deviation.height,
+                       lean_.headRollDeviation()};
+  learned.imageDelay = delay;
+
+  const Pose3D camera = poseFor(newest.joints, leaningAt(newest.time));
   psd.time = newest.time;
   psd.tooFarAway = newest.psd >= psdRange;
   psd.offset = camera * Vector3d{psdForward - robot.panToCamera + newest.psd, 0, psdUp};

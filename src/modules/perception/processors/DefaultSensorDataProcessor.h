@@ -2,7 +2,8 @@
 #include "framework/Module.h"
 #include "modules/perception/Tasks.h"
 #include "modules/perception/processors/ImageDelay.h"
-#include "modules/perception/processors/PostureFusion.h"
+#include "modules/perception/processors/LeanFilter.h"
+#include "modules/perception/processors/PostureModel.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/Image.h"
 #include "representations/infrastructure/RobotCalibration.h"
@@ -24,7 +25,8 @@ class DefaultSensorDataProcessor {
     double liftedChange = 2500;
     double offGround = 400;
     double delayMemory = 60000;
-    PostureFusion::Parameters posture;
+    PostureModel::Parameters posture;
+    LeanFilter::Parameters lean;
 
     static constexpr auto fields() {
       return Fields{
@@ -42,26 +44,30 @@ class DefaultSensorDataProcessor {
                 "time constant with which it is learned how much older images are than their time "
                 "stamps",
                 {1000, 1e7}),
-          field("posture", &Parameters::posture, "",
-                "how acceleration corrects the body's tilt and roll")};
+          field("posture", &Parameters::posture, "", "how bodies lean on legs that give"),
+          field("lean", &Parameters::lean, "", "how it is learned in play how this robot leans")};
     }
   };
   Parameters parameters;
 
   /// Provides the camera matrix of the image, the body's state and the distance sensor's place. The
-  /// body's tilt and roll follow from legs and acceleration. The matrix is invalid while the robot
-  /// kicks, gets up or falls, but not while it holds still in a special action; without sensor
-  /// readings it is that of the last ones. The flags of the last image tell how old images are.
+  /// body's posture follows from the legs and how they give, and from what was seen in images before.
+  /// The matrix is invalid while the robot kicks, gets up or falls, but not while it holds still in
+  /// a special action; without sensor readings it is that of the last ones. The flags of the last
+  /// image tell how old images are.
   void update(const FrameInfo& frame, const SensorDataBuffer& sensors, const Image& image,
               const RobotDimensions& robot, const RobotCalibration& calibration,
               const FieldDimensions& field, const MotionInfo& motion, const OdometryData& odometry,
-              Previous<LandmarksPercept> landmarks, CameraMatrix& matrix, BodyPercept& body,
-              PsdPercept& psd);
+              Previous<BallPercept> ball, Previous<LandmarksPercept> landmarks,
+              CameraMatrix& matrix, BodyPercept& body, PsdPercept& psd,
+              LearnedCalibration& learned);
 
  private:
   BodyState stateOf(const Vector3d& shortAverage, const SensorData& newest, bool onPaws);
 
-  PostureFusion fusion_;
+  LeanFilter lean_;
+  RobotCalibration calibration_;  ///< With which it learns.
+  std::vector<SeenHeight> heights_;
   ImageDelay delay_;
   CameraMatrix lastMatrix_;
   LandmarksPercept lastLandmarks_;
@@ -82,10 +88,6 @@ struct JointMotion {
 /// The joints' motion from `duration` milliseconds before a point in time until then, around the
 /// moment halfway; the newest frame that is not younger if none lies in between.
 JointMotion jointMotion(const SensorDataBuffer& sensors, Time end, double duration);
-
-/// The mean acceleration from `duration` milliseconds before a point in time until then; that of
-/// the newest frame that is not younger if none lies in between.
-Vector3d accelerationDuring(const SensorDataBuffer& sensors, Time end, double duration);
 
 /// The mean acceleration of the last ticks (report 3.1); of all there are if they are fewer.
 Vector3d averageAcceleration(const SensorDataBuffer& sensors, int ticks);

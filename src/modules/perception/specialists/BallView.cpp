@@ -8,16 +8,17 @@ namespace {
 // Both distances are inverted, since their errors grow with the square of the distance: the inverse
 // ones are equally exact anywhere.
 double fusedDistance(const BallPercept& percept, const BallCone& cone, double ballRadius,
-                     double height) {
-  constexpr double tiltError = fromDegrees(1.2);  // of a camera matrix while the robot walks
-  constexpr double heightError = 4;               // mm, of the same
-  constexpr double mostSmaller = 2.5;             // standard deviations, of a whole ball
+                     const CameraMatrix& matrix) {
+  constexpr double mostSmaller = 2.5;  // standard deviations, of a whole ball
+  const double height = matrix.pose.translation.z() - ballRadius;
   const double cosine = std::hypot(cone.axis.x(), cone.axis.y());
   const double byProjection = 1 / percept.distanceByProjection;
   const double bySize = 1 / percept.distanceBySize;
   const double sizeError = std::cos(cone.angle) / ballRadius * cone.error;
   const double projectionError =
-      std::hypot(cosine * tiltError, byProjection * heightError) / height;
+      std::sqrt(cosine * cosine * matrix.elevationVariance(azimuth(cone.axis)) +
+                byProjection * byProjection * matrix.covariance(2, 2)) /
+      height;
   // What hides a part of a ball makes it smaller, and never larger.
   const double smaller =
       (byProjection - bySize) / std::hypot(projectionError, sizeError) / mostSmaller;
@@ -49,7 +50,7 @@ bool describeBall(const CameraImage& picture, const BallCone& cone, double ballR
   const double distance = !projected ? percept.distanceBySize
                           : percept.distanceBySize == 0
                               ? percept.distanceByProjection
-                              : fusedDistance(percept, cone, ballRadius, camera.z() - ballRadius);
+                              : fusedDistance(percept, cone, ballRadius, picture.matrix);
   if (distance <= 0) return false;
   // A ball on the ground is seen at the elevation that its distance has.
   const double lower = camera.z() - ballRadius;

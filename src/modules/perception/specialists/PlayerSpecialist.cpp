@@ -22,7 +22,6 @@ constexpr double upperEnd = 212;      // mm above the ground: of a tricot, on th
 constexpr double leastUpperEnd = 200;  // mm: the same while the robot walks
 constexpr double clearlyBelow = 25;    // mm: that a tricot must be lower than the camera
 constexpr double upperError = 0.15;    // standard deviation of the upper end's height, as a share
-constexpr double tiltError = fromDegrees(0.9);  // standard deviation, after TiltCorrection
 constexpr double mostBeyond = 1.25;             // a robot's distance over that of its lower end
 constexpr double footToMiddle = 100;  // mm: from the nearest foot to the middle of the body
 constexpr double sideToMiddle = 40;   // mm: from what is seen of a tricot to it
@@ -146,7 +145,8 @@ double PlayerSpecialist::distanceByFoot(const CameraImage& picture) {
   if (!slope) return distance;
   const double height = picture.matrix.pose.translation.z();
   const double byFoot = 1 / distance, byHeight = (*slope + height / foot) / upperEnd;
-  const double footVariance = std::pow(tiltError / height, 2);
+  const double bearing = azimuth(picture.ray(cluster_.front().upper));
+  const double footVariance = picture.matrix.elevationVariance(bearing) / (height * height);
   const double pixel = 1 / focal(picture);
   const double heightVariance = std::pow(upperError * byFoot, 2) + std::pow(pixel / upperEnd, 2);
   return (footVariance + heightVariance) / (heightVariance * byFoot + footVariance * byHeight);

@@ -1,0 +1,79 @@
+#pragma once
+#include <cmath>
+#include <span>
+
+#include "modules/kinematics/BodyPosture.h"
+#include "modules/perception/specialists/RobustEstimate.h"
+#include "modules/perception/specialists/SeenHeights.h"
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// Learns in play by how much a camera leans otherwise than the joints measure, from how high
+/// things are seen. A Kalman filter of what stays as the robot was built (the body's lean and
+/// height, with the neck's, and the head's roll) and of swaying, which lasts for a part of a step.
+class LeanFilter {
+ public:
+  struct Parameters {
+    bool learns = true;
+    double lean = fromDegrees(0.6);
+    double headRoll = fromDegrees(0.4);
+    double height = 3;
+    double drift = fromDegrees(0.02);
+    double swayWalking = fromDegrees(0.8);
+    double swayStanding = fromDegrees(0.3);
+    double swayHeight = 1.2;
+    double swayTime = 100;
+
+    static constexpr auto fields() {
+      return Fields{
+          field("learns", &Parameters::learns, "", "while the robot plays"),
+          field("lean", &Parameters::lean, "rad",
+                "standard deviation, from robot to robot, of tilt and roll of the body beside what "
+                "its legs measure",
+                {0, 1}),
+          field("headRoll", &Parameters::headRoll, "rad", "of the head's roll", {0, 1}),
+          field("height", &Parameters::height, "mm", "of the body's height", {0, 100}),
+          field("drift", &Parameters::drift, "rad", "of what these angles change by in a second",
+                {0, 1}),
+          field("swayWalking", &Parameters::swayWalking, "rad",
+                "standard deviation of a walking body's tilt and roll, until more is known", {0, 1}),
+          field("swayStanding", &Parameters::swayStanding, "rad", "of a standing one's", {0, 1}),
+          field("swayHeight", &Parameters::swayHeight, "mm", "of its height", {0, 100}),
+          field("swayTime", &Parameters::swayTime, "ms", "for which swaying lasts", {1, 10000})};
+    }
+  };
+  Parameters parameters;
+
+  /// Goes on to the next image, some time later (ms).
+  void predict(double elapsed, bool walks);
+  /// Learns from what was seen with the camera matrix that was last made.
+  void learn(std::span<const SeenHeight> heights, double cameraAzimuth);
+
+  /// What to add to the body's posture, as it sways now, and to the head's roll (rad).
+  BodyPosture posture() const;
+  double headRoll() const { return state_.value[ofHead]; }
+  /// That of the camera matrix (CameraMatrix.h).
+  Matrix3d covariance(double cameraAzimuth) const;
+  /// What of that stays, and its standard deviations.
+  BodyPosture built() const;
+  BodyPosture deviation() const;
+  double headRollDeviation() const { return std::sqrt(state_.covariance(ofHead, ofHead)); }
+
+ private:
+  /// Rotations about the robot's x and y axis, and about the camera's; mm; then those of swaying.
+  enum { leanX, leanY, ofHead, height, swayX, swayY, size };
+  using State = RobustEstimate<size>;
+  using Shares = Eigen::Matrix<double, 3, size>;
+  /// What the state does to a camera matrix.
+  static Shares shares(double cameraAzimuth);
+
+  /// Makes measurements as surprising as they should be.
+  void adaptSwaying(double surprise);
+
+  State state_;
+  double walkingVariance_ = 0;  ///< rad^2: of the swaying while it walks.
+  bool begun_ = false, walks_ = false;
+};
+
+}  // namespace gt
