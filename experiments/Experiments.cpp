@@ -21,9 +21,8 @@ const Experiments& experiments() {
     for (const auto& experiment :
          {fidelityExperiment(), goalieExperiment(), showExperiment(), kickExperiment(),
           kickTableExperiment(), grabExperiment(), matchExperiment(), soakExperiment(),
-          visionExperiment(), visionPlayExperiment(),
-          visionSightExperiment(), collisionExperiment(), worldModelExperiment(),
-          rollingExperiment()})
+          visionExperiment(), visionPlayExperiment(), visionSightExperiment(),
+          collisionExperiment(), worldModelExperiment(), rollingExperiment()})
       list.push_back(experiment);
     std::ranges::sort(list, {}, &Experiment::name);
     return list;

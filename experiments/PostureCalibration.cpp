@@ -71,20 +71,21 @@ Result<PostureSums> sumPostures(const DataRoot& root, std::uint64_t seed) {
   return sums;
 }
 
-PostureModel::Parameters fitted(const PostureSums& sums) {
+PostureModel::Parameters weightsOf(const PostureSums& sums) {
   constexpr double ridge = 1e-4;
   Features pull = Features::Constant(ridge * sums.n);
   pull[0] = 0;
   const Eigen::MatrixXd squares = sums.squares + Eigen::MatrixXd{pull.asDiagonal()};
   const Eigen::MatrixXd weights = squares.ldlt().solve(sums.products);
-  PostureModel::Parameters fitted;
-  const std::array columns{&fitted.height, &fitted.tilt, &fitted.roll};
+  PostureModel::Parameters parameters;
+  const std::array columns{&parameters.height, &parameters.tilt, &parameters.roll};
   for (std::size_t column = 0; column < columns.size(); ++column)
     for (std::size_t i = 0; i < columns[column]->size(); ++i) {
-      const double weight = weights(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(column));
+      const double weight =
+          weights(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(column));
       (*columns[column])[i] = std::round(1e5 * weight) / 1e5;
     }
-  return fitted;
+  return parameters;
 }
 
 }  // namespace
@@ -98,9 +99,10 @@ Result<void> calibratePosture(const std::vector<std::uint64_t>& seeds, const Dat
     if (!result) return result.error();
     sums.add(*result);
   }
-  return writeFile(root.path("config/modules/SensorDataProcessor.Default.cfg"),
-                   "// Written by `experiment calibrate-posture`: how bodies lean on legs that give.\n" +
-                       writeConfig(PostureFile{fitted(sums)}));
+  return writeFile(
+      root.path("config/modules/SensorDataProcessor.Default.cfg"),
+      "// Written by `experiment calibrate-posture`: how bodies lean on legs that give.\n" +
+          writeConfig(PostureFile{weightsOf(sums)}));
 }
 
 }  // namespace gt

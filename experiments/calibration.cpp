@@ -38,11 +38,10 @@ class Watcher : public RobotController {
     if (!input.image || ticks_ % ticksBetween < ticksToGetThere) return;
     Image image = *input.image;
     image.info = believed_;
-    sensorDataProcessor_.update({input.now}, input.sensors, image, RobotDimensions{},
-                                RobotCalibration{}, FieldDimensions{}, MotionInfo{}, OdometryData{},
-                                Previous<BallPercept>{percepts_.ball},
-                                Previous<LandmarksPercept>{percepts_.landmarks}, matrix_, body_,
-                                psd_, learned_);
+    sensorDataProcessor_.update(
+        {input.now}, input.sensors, image, RobotDimensions{}, RobotCalibration{}, FieldDimensions{},
+        MotionInfo{}, OdometryData{}, Previous<BallPercept>{percepts_.ball},
+        Previous<LandmarksPercept>{percepts_.landmarks}, matrix_, body_, psd_, learned_);
     detector_.update(image, matrix_, input.sensors, RobotDimensions{}, RobotCalibration{},
                      percepts_, debug_);
     found_ += detector_.corners().empty() ? 0 : 1;
@@ -119,7 +118,8 @@ Result<std::unique_ptr<ChangedRoot>> mistaken(const DataRoot& root, double tilt,
   const DataRoot within = (*changed)->root();
   if (auto done = writeFile(within.path("config/dimensions.cfg"), writeConfig(robot)); !done)
     return done.error();
-  if (auto done = writeFile(within.path("config/robot.cfg"), writeConfig(RobotCalibration{tilt, roll}));
+  if (auto done =
+          writeFile(within.path("config/robot.cfg"), writeConfig(RobotCalibration{tilt, roll}));
       !done)
     return done.error();
   return changed;

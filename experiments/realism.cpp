@@ -20,9 +20,9 @@ namespace {
 /// What lies measures nothing that is meant here.
 constexpr const char* fallen = "the robot fell";
 
-/// A robot in the profile of a job.
+/// A robot in the profile of a job, with the camera matrix of the report.
 Result<std::unique_ptr<SimulatedWalker>> walkerOf(const Job& job, const DataRoot& root,
-                                                  WalkerWorld world = {},
+                                                  WalkerWorld world = {.legsOnly = true},
                                                   Fidelity fidelity = Fidelity::kinematic) {
   Result<void> changed;
   world.profile = profileOf(job);
@@ -93,7 +93,8 @@ struct MatrixErrors {
 
 /// Experiment 1 of report 3.3.3.4: a walk of 18 minutes.
 Result<Measurement> walkAbout(const Job& job, const DataRoot& root) {
-  auto walker = walkerOf(job, root, {}, *enumValue<Fidelity>(job.parameter("fidelity")));
+  auto walker =
+      walkerOf(job, root, {.legsOnly = true}, *enumValue<Fidelity>(job.parameter("fidelity")));
   if (!walker) return walker.error();
   SimulatedWalker& robot = **walker;
   auto lines = reportsLines(job.seed);
@@ -148,7 +149,7 @@ Result<Measurement> goToPoint(const Job& job, const DataRoot& root) {
 /// somebody put the robot elsewhere.
 Result<Measurement> searchItself(const Job& job, const DataRoot& root) {
   constexpr int most = 500;
-  auto walker = walkerOf(job, root, {.walks = false});
+  auto walker = walkerOf(job, root, {.walks = false, .legsOnly = true});
   if (!walker) return walker.error();
   SimulatedWalker& robot = **walker;
   std::vector<double> nothing, displaced;

@@ -213,8 +213,8 @@ struct Eyes {
       sensorDataProcessors[view.robot].update(
           {view.image.time - (i == 0 ? tickMs : 0)}, view.sensors, view.image, RobotDimensions{},
           RobotCalibration{}, FieldDimensions{}, MotionInfo{}, odometry[i],
-          Previous<BallPercept>{found.ball}, Previous<LandmarksPercept>{found.landmarks}, matrix, body,
-          psd, learned);
+          Previous<BallPercept>{found.ball}, Previous<LandmarksPercept>{found.landmarks}, matrix,
+          body, psd, learned);
     if (trueCamera) matrix = view.camera;
     imageProcessor(view.image, matrix, found);
   }

@@ -119,6 +119,9 @@ class LeaningBody : public MatchTest {
                           "[00022D1F626B]\nbodyTiltOffset " +
                               std::to_string(fromDegrees(known.tilt)) + "\nbodyRollOffset " +
                               std::to_string(fromDegrees(known.roll)) + "\n"));
+    // It shall not find out by itself.
+    ASSERT_TRUE(writeFile((config / "modules/SensorDataProcessor.Default.cfg").string(),
+                          "lean.learns false\n"));
     const auto here = [](const char* path) { return fs::absolute(path).string(); };
     ASSERT_TRUE(writeFile(
         (folder / "lean.scene").string(),

@@ -57,7 +57,7 @@ using AllRepresentations =
          SensorData, SensorDataBuffer, BallModel, TeamBallModel, ObstaclesModel, PlayersCollection,
          RobotPose, RobotState, GetupEngineOutput, HeadMotionRequest, JointDataSequence, KickTable,
          MotionInfo, MotionNet, OdometryData, SpecialActionsOutput, WalkingEngineOutput,
-         BallPercept, BodyPercept, CameraMatrix, CollisionPercept, ColorTable64, LandmarksPercept, LearnedCalibration,
-         LinesPercept, ObstaclesPercept, PlayersPercept, PsdPercept>;
+         BallPercept, BodyPercept, CameraMatrix, CollisionPercept, ColorTable64, LandmarksPercept,
+         LearnedCalibration, LinesPercept, ObstaclesPercept, PlayersPercept, PsdPercept>;
 
 }  // namespace gt

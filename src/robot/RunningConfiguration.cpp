@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "base/Lines.h"
-#include "robot/Configuration.h"
 #include "representations/perception/LearnedCalibration.h"
+#include "robot/Configuration.h"
 #include "robot/Solutions.h"
 #include "streams/Config.h"
 #include "streams/File.h"
@@ -63,6 +63,7 @@ Result<void> saveLearned(ObservedRobot& robot, const fs::path& folder) {
   const auto value = robot.value(name);
   if (!value) return value.error();
   const auto& learned = *static_cast<const LearnedCalibration*>(value->data());
+  if (learned.deviation == RobotCalibration{}) return {};
   return writeFile((folder / "robot.cfg").string(), writeConfig(learned.robot));
 }
 

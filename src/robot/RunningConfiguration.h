@@ -8,8 +8,8 @@ namespace gt {
 
 /// Writes what a robot works with now, wherever it runs, as a folder of configuration files (see
 /// Configuration): solutions, their parameters, color table with the HSI ranges of which it was
-/// made, TSL thresholds, settings of the camera, calibration as it was learned in play, dimensions of
-/// robot and field. A robot can be started with that folder.
+/// made, TSL thresholds, settings of the camera, calibration as it was learned in play, dimensions
+/// of robot and field. A robot can be started with that folder.
 Result<void> saveRunningConfiguration(ObservedRobot& robot, const std::string& folder);
 
 /// Has a running robot work with what such a folder holds. Files that are missing there change

@@ -7,6 +7,7 @@
 
 #include "colors/HsiColors.h"
 #include "colors/TslColors.h"
+#include "representations/perception/LearnedCalibration.h"
 #include "robot/LocalLink.h"
 #include "robot/Solutions.h"
 #include "streams/File.h"
@@ -108,6 +109,15 @@ TEST_F(RunningConfiguration, IsWrittenAndReadByRobotsThatRunOrStart) {
   expectChanged(other);
   Running started{folderPath()};
   expectChanged(started);
+}
+
+TEST_F(RunningConfiguration, HasWhatTheRobotLearned) {
+  Running robot;
+  ASSERT_TRUE(robot->send(RobotCalibration{0.1, -0.05}));
+  ASSERT_TRUE(robot->send(LearnedCalibration{{0.12, -0.04, 3, 0.01}, {0.001, 0.001, 1, 0.002}}));
+  ASSERT_TRUE(saveRunningConfiguration(*robot, folderPath()));
+  Running started{folderPath()};
+  EXPECT_EQ(started.value<RobotCalibration>(), (RobotCalibration{0.12, -0.04, 3, 0.01}));
 }
 
 TEST_F(RunningConfiguration, OfATableThatIsMadeOfNoRangesHasNone) {

@@ -21,15 +21,17 @@ double leanError(const CameraMatrix& measured, const CameraMatrix& truth) {
 CameraMatrix measure(const GameView& view) {
   DefaultSensorDataProcessor processor;
   OdometryData odometry;
+  BallPercept ball;
   LandmarksPercept landmarks;
   CameraMatrix matrix;
+  LearnedCalibration learned;
   BodyPercept body;
   PsdPercept psd;
   for (const Time time : {view.image.time - tickMs, view.image.time}) {
     odometry.pose = odometry.pose * view.step;
     processor.update({time}, view.sensors, view.image, RobotDimensions{}, RobotCalibration{},
-                     FieldDimensions{}, MotionInfo{}, odometry,
-                     Previous<LandmarksPercept>{landmarks}, matrix, body, psd);
+                     FieldDimensions{}, MotionInfo{}, odometry, Previous<BallPercept>{ball},
+                     Previous<LandmarksPercept>{landmarks}, matrix, body, psd, learned);
   }
   return matrix;
 }
@@ -70,7 +72,7 @@ std::vector<double> errorsOfViews(Profile profile) {
 std::vector<double> errorsOfWalkers(Profile profile) {
   std::vector<double> errors;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    auto walker = *SimulatedWalker::make(DataRoot{}, seed, {.profile = profile});
+    auto walker = *SimulatedWalker::make(DataRoot{}, seed, {.profile = profile, .legsOnly = true});
     for (int i = 0; i < 10; ++i) walker->step();
     for (int i = 0; i < 60; ++i) {
       walker->step();

@@ -51,7 +51,8 @@ class SimulatedWalker::Body : public RobotController {
   void look(const RobotInput& input) {
     sensorDataProcessor_.update({input.now}, input.sensors, *input.image, RobotDimensions{},
                                 RobotCalibration{}, FieldDimensions{}, motion_, odometry,
-                                Previous<BallPercept>{ball_}, Previous<LandmarksPercept>{landmarks}, matrix, body_, psd_, learned_);
+                                Previous<BallPercept>{ball_}, Previous<LandmarksPercept>{landmarks},
+                                matrix, body_, psd_, learned_);
     imageProcessor_.update(*input.image, matrix, colors_, FieldDimensions{},
                            {ball_, landmarks, lines, players_, obstacles_}, debug_);
   }

@@ -135,23 +135,26 @@ void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorData
                                         const Image& image, const RobotDimensions& robot,
                                         const RobotCalibration& calibration,
                                         const FieldDimensions& field, const MotionInfo& motion,
-                                        const OdometryData& odometry,
-                                        Previous<BallPercept> ball,
+                                        const OdometryData& odometry, Previous<BallPercept> ball,
                                         Previous<LandmarksPercept> landmarks, CameraMatrix& matrix,
                                         BodyPercept& body, PsdPercept& psd,
                                         LearnedCalibration& learned) {
   // On a log that holds percepts instead of images, those of this image have come already.
-  if (landmarks->time == lastMatrix_.time) lastLandmarks_ = *landmarks;
+  if (landmarks->time == lastMatrix_.time) {
+    lastLandmarks_ = *landmarks;
+    lastBall_ = *ball;
+  }
   delay_.learn(lastLandmarks_, lastMatrix_, odometry_, field, parameters.delayMemory);
-  lastLandmarks_ = *landmarks;
   // With another robot.cfg it is another robot.
   if (calibration != calibration_) lean_ = {};
   calibration_ = calibration;
   lean_.parameters = parameters.lean;
-  if (landmarks->time == lastMatrix_.time && lastMatrix_.valid) {
-    takeHeights(lastMatrix_, *ball, *landmarks, field, heights_);
+  if (lastLandmarks_.time == lastMatrix_.time && lastMatrix_.valid) {
+    takeHeights(lastMatrix_, lastBall_, lastLandmarks_, field, heights_);
     lean_.learn(heights_, azimuthOf(lastMatrix_));
   }
+  lastLandmarks_ = *landmarks;
+  lastBall_ = *ball;
   const SensorData& newest = sensors.newest();
   const Vector3d shortAverage = averageAcceleration(sensors, parameters.shortAverage);
   const double elapsed = static_cast<double>(frame.time - lastUpdate_);
@@ -182,8 +185,7 @@ void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorData
   lean_.predict(elapsed, speed.rotation != 0 || !speed.translation.isZero());
   const PostureModel legsGive{parameters.posture};
   const auto leaningAt = [&](Time moment) {
-    return lean_.posture() +
-           legsGive.correction(PostureModel::featuresAt(robot, sensors, moment));
+    return lean_.posture() + legsGive.correction(PostureModel::featuresAt(robot, sensors, moment));
   };
   // What neither walks nor kicks may lie, as a goalie that blocks: how it lies shows at rest.
   const std::optional<Vector3d> gravity = motion.stable ? std::nullopt : gravityAtRest(sensors);
@@ -204,8 +206,7 @@ void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorData
   learned.robot = {calibration.bodyTiltOffset + built.tilt, calibration.bodyRollOffset + built.roll,
                    calibration.bodyHeightOffset + built.height,
                    calibration.headRollOffset + lean_.headRoll()};
-  learned.deviation = {deviation.tilt, deviation.roll, deviation.height,
-                       lean_.headRollDeviation()};
+  learned.deviation = {deviation.tilt, deviation.roll, deviation.height, lean_.headRollDeviation()};
   learned.imageDelay = delay;
 
   const Pose3D camera = poseFor(newest.joints, leaningAt(newest.time));

@@ -51,10 +51,10 @@ class DefaultSensorDataProcessor {
   Parameters parameters;
 
   /// Provides the camera matrix of the image, the body's state and the distance sensor's place. The
-  /// body's posture follows from the legs and how they give, and from what was seen in images before.
-  /// The matrix is invalid while the robot kicks, gets up or falls, but not while it holds still in
-  /// a special action; without sensor readings it is that of the last ones. The flags of the last
-  /// image tell how old images are.
+  /// body's posture follows from the legs and how they give, and from what was seen in images
+  /// before. The matrix is invalid while the robot kicks, gets up or falls, but not while it holds
+  /// still in a special action; without sensor readings it is that of the last ones. The flags of
+  /// the last image tell how old images are.
   void update(const FrameInfo& frame, const SensorDataBuffer& sensors, const Image& image,
               const RobotDimensions& robot, const RobotCalibration& calibration,
               const FieldDimensions& field, const MotionInfo& motion, const OdometryData& odometry,
@@ -71,6 +71,7 @@ class DefaultSensorDataProcessor {
   ImageDelay delay_;
   CameraMatrix lastMatrix_;
   LandmarksPercept lastLandmarks_;
+  BallPercept lastBall_;
   Pose2D odometry_;  ///< With the last matrix.
   Vector3d longAverage_ = Vector3d::Zero();
   Time lastUpdate_ = never();

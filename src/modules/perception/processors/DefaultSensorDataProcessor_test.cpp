@@ -29,7 +29,8 @@ class DefaultSensorDataProcessorTest : public testing::Test {
   }
   void run() {
     processor_.update({now_}, sensors_, image_, robot_, calibration_, FieldDimensions{}, motion_,
-                      odometry_, Previous<BallPercept>{ball_}, Previous<LandmarksPercept>{landmarks_}, matrix_, body_, psd_, learned_);
+                      odometry_, Previous<BallPercept>{ball_},
+                      Previous<LandmarksPercept>{landmarks_}, matrix_, body_, psd_, learned_);
   }
 
   double legSpeed_ = 0;  ///< rad/s
@@ -136,7 +137,8 @@ TEST_F(DefaultSensorDataProcessorTest, LearnsInPlayHowThisRobotLeans) {
     const auto seen = [&](double z) {
       return std::atan2(z - matrix_.pose.translation.z(), distance) + tiltOf() - truth;
     };
-    b = {.left = 0.02, .right = -0.02, .top = seen(field.flagTop), .bottom = seen(field.flagBottom)};
+    b = {
+        .left = 0.02, .right = -0.02, .top = seen(field.flagTop), .bottom = seen(field.flagBottom)};
   }
   EXPECT_NEAR(toDegrees(tiltOf() - truth), 0, 0.2);
   EXPECT_NEAR(toDegrees(learned_.robot.bodyTiltOffset), -2, 0.5);

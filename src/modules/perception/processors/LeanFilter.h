@@ -37,7 +37,8 @@ class LeanFilter {
           field("drift", &Parameters::drift, "rad", "of what these angles change by in a second",
                 {0, 1}),
           field("swayWalking", &Parameters::swayWalking, "rad",
-                "standard deviation of a walking body's tilt and roll, until more is known", {0, 1}),
+                "standard deviation of a walking body's tilt and roll, until more is known",
+                {0, 1}),
           field("swayStanding", &Parameters::swayStanding, "rad", "of a standing one's", {0, 1}),
           field("swayHeight", &Parameters::swayHeight, "mm", "of its height", {0, 100}),
           field("swayTime", &Parameters::swayTime, "ms", "for which swaying lasts", {1, 10000})};

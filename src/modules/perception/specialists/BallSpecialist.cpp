@@ -11,7 +11,7 @@ constexpr int maxGap = 3;              // Pixels within the ball that may have a
 constexpr int traceRays = 24;          // Ways from within the ball to its boundary.
 constexpr std::size_t minForCone = 8;  // Boundary points, a third of the circle.
 constexpr double pointError = 0.3;     // Pixels: standard deviation of a boundary point,
-constexpr double radiusError = 0.15;    // and of the radius, as all of them are shifted alike,
+constexpr double radiusError = 0.15;   // and of the radius, as all of them are shifted alike,
 constexpr double radiusLoss = 0.12;    // which is by so much, as the rim is blurred.
 constexpr double hiddenError = 0.7;    // Standard deviation of the radius, as a share, of a ball
                                        // that may be hidden by a robot all around.

@@ -22,15 +22,15 @@ constexpr double upperEnd = 212;      // mm above the ground: of a tricot, on th
 constexpr double leastUpperEnd = 200;  // mm: the same while the robot walks
 constexpr double clearlyBelow = 25;    // mm: that a tricot must be lower than the camera
 constexpr double upperError = 0.15;    // standard deviation of the upper end's height, as a share
-constexpr double mostBeyond = 1.25;             // a robot's distance over that of its lower end
-constexpr double footToMiddle = 100;  // mm: from the nearest foot to the middle of the body
-constexpr double sideToMiddle = 40;   // mm: from what is seen of a tricot to it
-constexpr double footBlur = 0.7;      // pixels of a foot that look green
-constexpr double footApart = 200;     // mm: between the feet of a robot, and a share of
-constexpr double footError = 0.1;     // their distance, as matrix and image err
-constexpr double bodyWidth = 300;     // mm: the longest that a robot is seen
-constexpr double footBeside = 60;     // mm: feet stand that far beside the tricot
-constexpr double farBelow = 1e4;      // pixels: to the end of the image
+constexpr double mostBeyond = 1.25;    // a robot's distance over that of its lower end
+constexpr double footToMiddle = 100;   // mm: from the nearest foot to the middle of the body
+constexpr double sideToMiddle = 40;    // mm: from what is seen of a tricot to it
+constexpr double footBlur = 0.7;       // pixels of a foot that look green
+constexpr double footApart = 200;      // mm: between the feet of a robot, and a share of
+constexpr double footError = 0.1;      // their distance, as matrix and image err
+constexpr double bodyWidth = 300;      // mm: the longest that a robot is seen
+constexpr double footBeside = 60;      // mm: feet stand that far beside the tricot
+constexpr double farBelow = 1e4;       // pixels: to the end of the image
 // Tricots are lower than the camera; its matrix errs by 1.5 degrees.
 constexpr double highestTricot = fromDegrees(4);
 

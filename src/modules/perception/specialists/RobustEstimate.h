@@ -17,8 +17,7 @@ struct RobustEstimate {
 
   /// By how many standard deviations a measurement, row * value with noise of a variance, is off.
   double surprise(const Vector& row, double measured, double variance) const {
-    return std::abs(measured - row.dot(value)) /
-           std::sqrt(row.dot(covariance * row) + variance);
+    return std::abs(measured - row.dot(value)) / std::sqrt(row.dot(covariance * row) + variance);
   }
   void add(const Vector& row, double measured, double variance) {
     constexpr double usual = 2;  // standard deviations
