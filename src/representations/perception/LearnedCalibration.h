@@ -8,6 +8,7 @@ namespace gt {
 struct LearnedCalibration {
   RobotCalibration robot;
   RobotCalibration deviation;
+  double legsGive = 1;
   double imageDelay = 0;
 
   static constexpr auto fields() {
@@ -15,6 +16,8 @@ struct LearnedCalibration {
         field("robot", &LearnedCalibration::robot, "",
               "by which it works now, that of robot.cfg included; `save` writes it there"),
         field("deviation", &LearnedCalibration::deviation, "", "its standard deviations"),
+        field("legsGive", &LearnedCalibration::legsGive, "",
+              "how much its legs give, as a share of what the processor's parameters say"),
         field("imageDelay", &LearnedCalibration::imageDelay, "ms",
               "by which images are older than their time stamps")};
   }

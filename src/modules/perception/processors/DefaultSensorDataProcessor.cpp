@@ -151,7 +151,7 @@ void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorData
   lean_.parameters = parameters.lean;
   if (lastLandmarks_.time == lastMatrix_.time && lastMatrix_.valid) {
     takeHeights(lastMatrix_, lastBall_, lastLandmarks_, field, heights_);
-    lean_.learn(heights_, azimuthOf(lastMatrix_));
+    lean_.learn(heights_, azimuthOf(lastMatrix_), giving_);
   }
   lastLandmarks_ = *landmarks;
   lastBall_ = *ball;
@@ -184,21 +184,22 @@ void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorData
   const bool stands = body.state == BodyState::standing;
   lean_.predict(elapsed, speed.rotation != 0 || !speed.translation.isZero());
   const PostureModel legsGive{parameters.posture};
-  const auto leaningAt = [&](Time moment) {
-    return lean_.posture() + legsGive.correction(PostureModel::featuresAt(robot, sensors, moment));
+  const auto givingAt = [&](Time moment) {
+    return legsGive.correction(PostureModel::featuresAt(robot, sensors, moment));
   };
   // What neither walks nor kicks may lie, as a goalie that blocks: how it lies shows at rest.
   const std::optional<Vector3d> gravity = motion.stable ? std::nullopt : gravityAtRest(sensors);
-  const auto poseFor = [&](JointAngles angles, const BodyPosture& leaning) {
-    const BodyPosture leaned = gravity ? restingPosture(robot, angles, *gravity)
-                                       : bodyPosture(robot, calibration, angles) + leaning;
+  const auto poseFor = [&](JointAngles angles, const BodyPosture& giving) {
+    const BodyPosture leaned =
+        gravity ? restingPosture(robot, angles, *gravity)
+                : bodyPosture(robot, calibration, angles) + lean_.posture(giving);
     angles[Joint::headRoll] += calibration.headRollOffset + lean_.headRoll();
     return cameraPoseOn(robot, leaned, angles);
   };
-  const BodyPosture leaning = leaningAt(image.time - std::lround(delay + exposure / 2));
+  giving_ = givingAt(image.time - std::lround(delay + exposure / 2));
   matrix = cameraMatrix(joints, image, delay, speed,
-                        [&](const JointAngles& angles) { return poseFor(angles, leaning); });
-  matrix.covariance = lean_.covariance(azimuthOf(matrix));
+                        [&](const JointAngles& angles) { return poseFor(angles, giving_); });
+  matrix.covariance = lean_.covariance(azimuthOf(matrix), giving_);
   matrix.valid = stands && (motion.stable || gravity);
   lastMatrix_ = matrix;
 
@@ -207,9 +208,10 @@ void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorData
                    calibration.bodyHeightOffset + built.height,
                    calibration.headRollOffset + lean_.headRoll()};
   learned.deviation = {deviation.tilt, deviation.roll, deviation.height, lean_.headRollDeviation()};
+  learned.legsGive = lean_.legsGive();
   learned.imageDelay = delay;
 
-  const Pose3D camera = poseFor(newest.joints, leaningAt(newest.time));
+  const Pose3D camera = poseFor(newest.joints, givingAt(newest.time));
   psd.time = newest.time;
   psd.tooFarAway = newest.psd >= psdRange;
   psd.offset = camera * Vector3d{psdForward - robot.panToCamera + newest.psd, 0, psdUp};

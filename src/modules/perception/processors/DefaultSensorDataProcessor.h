@@ -66,6 +66,7 @@ class DefaultSensorDataProcessor {
   BodyState stateOf(const Vector3d& shortAverage, const SensorData& newest, bool onPaws);
 
   LeanFilter lean_;
+  BodyPosture giving_;            ///< That of the model, with the last matrix.
   RobotCalibration calibration_;  ///< With which it learns.
   std::vector<SeenHeight> heights_;
   ImageDelay delay_;

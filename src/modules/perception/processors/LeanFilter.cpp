@@ -10,7 +10,7 @@ void LeanFilter::predict(double elapsed, bool walks) {
   const auto variance = [](double deviation) { return deviation * deviation; };
   if (!begun_)
     state_.covariance.diagonal() << variance(p.lean), variance(p.lean), variance(p.headRoll),
-        variance(p.height), 0, 0;
+        variance(p.height), variance(p.giving), 0, 0;
   begun_ = true;
   constexpr double longest = 1000;  // ms: after a break it is as unsure as after this time.
   const double seconds = std::clamp(elapsed, 0., longest) / 1000;
@@ -28,9 +28,10 @@ void LeanFilter::predict(double elapsed, bool walks) {
   }
 }
 
-void LeanFilter::learn(std::span<const SeenHeight> heights, double cameraAzimuth) {
+void LeanFilter::learn(std::span<const SeenHeight> heights, double cameraAzimuth,
+                       const BodyPosture& giving) {
   if (!parameters.learns) return;
-  const Shares shared = shares(cameraAzimuth);
+  const Shares shared = shares(cameraAzimuth, giving);
   const State::Vector before = state_.value;
   for (const SeenHeight& seen : heights) {
     const State::Vector row = shared.transpose() * seen.mended();
@@ -44,15 +45,17 @@ void LeanFilter::learn(std::span<const SeenHeight> heights, double cameraAzimuth
 }
 
 void LeanFilter::adaptSwaying(double surprise) {
-  constexpr double share = 0.02, mostSurprise = 3;
+  constexpr double gain = 0.02, mostSurprise = 3;
   constexpr double least = fromDegrees(0.2), most = fromDegrees(2);
   const double counts = std::min(surprise, mostSurprise);
-  walkingVariance_ = std::clamp(walkingVariance_ * (1 + share * (counts * counts - 1)),
-                                least * least, most * most);
+  walkingVariance_ =
+      std::clamp(walkingVariance_ * (1 + gain * (counts * counts - 1)), least * least, most * most);
 }
 
-BodyPosture LeanFilter::posture() const {
-  return built() + BodyPosture{0, -state_.value[swayY], state_.value[swayX]};
+BodyPosture LeanFilter::posture(const BodyPosture& giving) const {
+  const double gives = legsGive();
+  return built() + BodyPosture{gives * giving.height, gives * giving.tilt - state_.value[swayY],
+                               gives * giving.roll + state_.value[swayX]};
 }
 
 BodyPosture LeanFilter::built() const {
@@ -64,18 +67,19 @@ BodyPosture LeanFilter::deviation() const {
   return {of(height), of(leanY), of(leanX)};
 }
 
-LeanFilter::Shares LeanFilter::shares(double cameraAzimuth) {
+LeanFilter::Shares LeanFilter::shares(double cameraAzimuth, const BodyPosture& giving) {
   Shares shares = Shares::Zero();
   shares(0, leanX) = shares(0, swayX) = 1;
   shares(1, leanY) = shares(1, swayY) = 1;
   shares(2, height) = 1;
+  shares.col(share) << giving.roll, -giving.tilt, giving.height;
   shares(0, ofHead) = std::cos(cameraAzimuth);
   shares(1, ofHead) = std::sin(cameraAzimuth);
   return shares;
 }
 
-Matrix3d LeanFilter::covariance(double cameraAzimuth) const {
-  const Shares shared = shares(cameraAzimuth);
+Matrix3d LeanFilter::covariance(double cameraAzimuth, const BodyPosture& giving) const {
+  const Shares shared = shares(cameraAzimuth, giving);
   Matrix3d covariance = shared * state_.covariance * shared.transpose();
   covariance(2, 2) += parameters.swayHeight * parameters.swayHeight;
   return covariance;

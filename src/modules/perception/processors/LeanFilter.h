@@ -11,7 +11,8 @@ namespace gt {
 
 /// Learns in play by how much a camera leans otherwise than the joints measure, from how high
 /// things are seen. A Kalman filter of what stays as the robot was built (the body's lean and
-/// height, with the neck's, and the head's roll) and of swaying, which lasts for a part of a step.
+/// height, with the neck's, and the head's roll), of how much the legs give, as a share of what a
+/// model says (PostureModel), and of swaying, which lasts for a part of a step.
 class LeanFilter {
  public:
   struct Parameters {
@@ -19,6 +20,7 @@ class LeanFilter {
     double lean = fromDegrees(0.6);
     double headRoll = fromDegrees(0.4);
     double height = 3;
+    double giving = 0.3;
     double drift = fromDegrees(0.02);
     double swayWalking = fromDegrees(0.8);
     double swayStanding = fromDegrees(0.3);
@@ -34,6 +36,8 @@ class LeanFilter {
                 {0, 1}),
           field("headRoll", &Parameters::headRoll, "rad", "of the head's roll", {0, 1}),
           field("height", &Parameters::height, "mm", "of the body's height", {0, 100}),
+          field("giving", &Parameters::giving, "",
+                "of how much the legs give, as a share of the model", {0, 10}),
           field("drift", &Parameters::drift, "rad", "of what these angles change by in a second",
                 {0, 1}),
           field("swayWalking", &Parameters::swayWalking, "rad",
@@ -48,26 +52,31 @@ class LeanFilter {
 
   /// Goes on to the next image, some time later (ms).
   void predict(double elapsed, bool walks);
-  /// Learns from what was seen with the camera matrix that was last made.
-  void learn(std::span<const SeenHeight> heights, double cameraAzimuth);
+  /// Learns from what was seen with the camera matrix that was last made, which had this azimuth
+  /// (rad) and for which the model said `giving`.
+  void learn(std::span<const SeenHeight> heights, double cameraAzimuth, const BodyPosture& giving);
 
-  /// What to add to the body's posture, as it sways now, and to the head's roll (rad).
-  BodyPosture posture() const;
+  /// What to add to the body's posture, as it sways now, where the model says `giving`, and to the
+  /// head's roll (rad).
+  BodyPosture posture(const BodyPosture& giving) const;
   double headRoll() const { return state_.value[ofHead]; }
+  /// How much the legs give, as a share of the model.
+  double legsGive() const { return 1 + state_.value[share]; }
   /// That of the camera matrix (CameraMatrix.h).
-  Matrix3d covariance(double cameraAzimuth) const;
+  Matrix3d covariance(double cameraAzimuth, const BodyPosture& giving) const;
   /// What of that stays, and its standard deviations.
   BodyPosture built() const;
   BodyPosture deviation() const;
   double headRollDeviation() const { return std::sqrt(state_.covariance(ofHead, ofHead)); }
 
  private:
-  /// Rotations about the robot's x and y axis, and about the camera's; mm; then those of swaying.
-  enum { leanX, leanY, ofHead, height, swayX, swayY, size };
+  /// Rotations about the robot's x and y axis, and about the camera's; mm; a share beside 1; then
+  /// the rotations of swaying.
+  enum { leanX, leanY, ofHead, height, share, swayX, swayY, size };
   using State = RobustEstimate<size>;
   using Shares = Eigen::Matrix<double, 3, size>;
   /// What the state does to a camera matrix.
-  static Shares shares(double cameraAzimuth);
+  static Shares shares(double cameraAzimuth, const BodyPosture& giving);
 
   /// Makes measurements as surprising as they should be.
   void adaptSwaying(double surprise);

@@ -19,13 +19,13 @@ class Leaning : public testing::Test {
  protected:
   LeanFilter filter_;
   Random random_{1};
-  BodyPosture truth_;
+  BodyPosture truth_, giving_;
   double headRoll_ = 0, azimuth_ = 0;
   int images_ = 0;
 
   /// How far the camera matrix is off: rotations about x and y (rad), and the height (mm).
   Vector3d error() const {
-    const BodyPosture believed = filter_.posture();
+    const BodyPosture believed = filter_.posture(giving_);
     const double roll = headRoll_ - filter_.headRoll();
     return {truth_.roll - believed.roll + roll * std::cos(azimuth_),
             believed.tilt - truth_.tilt + roll * std::sin(azimuth_),
@@ -38,7 +38,7 @@ class Leaning : public testing::Test {
     const double bearing = azimuth_ + fromDegrees(20) * random_.symmetric();
     SeenHeight seen{bearing, 0, random_.uniform(500, 3000), fromDegrees(0.3)};
     seen.tooHigh = seen.mended().dot(error()) + noise * random_.gaussian() + mistake;
-    filter_.learn(std::array{seen}, azimuth_);
+    filter_.learn(std::array{seen}, azimuth_, giving_);
   }
 };
 
@@ -68,12 +68,23 @@ TEST_F(Leaning, FollowsTheSwayingAndTellsHowWell) {
     filter_.predict(imageTime, true);
     if (i < 500) continue;
     const Eigen::Vector2d off = error().head<2>();
-    const Eigen::Matrix2d told = filter_.covariance(azimuth_).topLeftCorner<2, 2>();
+    const Eigen::Matrix2d told = filter_.covariance(azimuth_, giving_).topLeftCorner<2, 2>();
     squared.add(off.dot(told.inverse() * off) / 2);
     left.add(off.norm() / std::sqrt(2));
   }
   EXPECT_LT(std::hypot(left.mean(), left.standardDeviation()), 0.95 * sway);
   EXPECT_NEAR(squared.mean(), 1, 0.3);
+}
+
+// The legs of this robot give half as much as the model says.
+TEST_F(Leaning, FindsHowMuchTheLegsGive) {
+  for (int i = 0; i < 2000; ++i) {
+    giving_ = {-4 + 2 * random_.symmetric(), -0.02 + 0.02 * random_.symmetric(),
+               0.02 * random_.symmetric()};
+    truth_ = {giving_.height / 2, giving_.tilt / 2, giving_.roll / 2};
+    see(fromDegrees(0.3));
+  }
+  EXPECT_NEAR(filter_.posture({0, 0, 0.02}).roll - filter_.posture({}).roll, 0.01, 0.002);
 }
 
 TEST_F(Leaning, IsMovedLittleByWhatIsSomethingElse) {
@@ -88,15 +99,15 @@ TEST_F(Leaning, LearnsNothingWhenItShallNot) {
   filter_.parameters.learns = false;
   truth_ = {4, fromDegrees(3), 0};
   for (int i = 0; i < 100; ++i) see(0);
-  EXPECT_EQ(filter_.posture().tilt, 0);
-  EXPECT_EQ(filter_.posture().height, 0);
+  EXPECT_EQ(filter_.posture({}).tilt, 0);
+  EXPECT_EQ(filter_.posture({}).height, 0);
   EXPECT_GT(filter_.deviation().tilt, filter_.parameters.lean * 0.99) << "and says so";
 }
 
 TEST_F(Leaning, IsAsUnsureAfterABreakAsARobotThatSways) {
   for (int i = 0; i < 1000; ++i) see(fromDegrees(0.3));
   filter_.predict(1e9, false);
-  const Matrix3d covariance = filter_.covariance(0);
+  const Matrix3d covariance = filter_.covariance(0, {});
   EXPECT_GT(covariance(1, 1), std::pow(filter_.parameters.swayStanding, 2));
   EXPECT_LT(covariance(1, 1), std::pow(fromDegrees(1), 2));
 }
