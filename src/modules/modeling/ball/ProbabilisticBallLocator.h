@@ -22,13 +22,13 @@ class ProbabilisticBallLocator {
   struct Parameters {
     double deceleration = 250;
     double push = 120;
-    double acrossNoise = 12, acrossShare = 0.015;
-    double alongNoise = 15, alongShare = 0.05, alongTilt = 2.5e-5;
+    double acrossNoise = 5, acrossShare = 0.008;
+    double alongNoise = 6, alongShare = 0.015, alongTilt = 1e-5;
     double stepNoise = 0.1;
     double turnNoise = 0.05;
     double newSpeed = 700;
-    double kicked = 0.01;
-    double falseDensity = 3e-8;
+    double kicked = 0.03;
+    double falseDensity = 1e-8;
     double newDensity = 4e-9;
     double missed = 0.85;
     double missedRange = 1500;
