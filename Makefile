@@ -41,13 +41,14 @@ ifeq ($(MAKELEVEL),0)
 MAKEFLAGS += --jobs=2
 endif
 
-.PHONY: help packages-first environment test-packages install play film control decisions pictures random-input play-remote robots chaos growth test python learners replay realism-page bench experiments figures spoiled-figures figures-page lines mutants soak docs release try-release dependencies build packages format check-format lint verify verify-all test-changed build-times sanitize sanitize-python fuzz clean
+.PHONY: help packages-first environment test-packages install play film control decisions eyes pictures random-input play-remote robots chaos growth test python learners replay realism-page bench experiments figures spoiled-figures figures-page lines mutants soak docs release try-release dependencies build packages format check-format lint verify verify-all test-changed build-times sanitize sanitize-python fuzz clean
 
 help:
 	@echo 'make play          plays a match of $(MINUTES) minutes and writes its report page ($(OUT)/report.html)'
 	@echo 'make film          films half a minute of a match: out/match.mp4'
 	@echo 'make control       opens the workbench robotcontrol on a match'
 	@echo 'make decisions     draws what robots decide in ten scenes: docs/images/deciding'
+	@echo 'make eyes          draws what the image processor sees in moments of docs/eyes.toml: docs/images/eyes'
 	@echo 'make pictures      takes the pictures of the workbench: of each dialog, docs/images/workbench and out/workbench, and of the tutorial'"'"'s steps'
 	@echo 'make random-input  clicks and types at random in the workbench for MINUTES, with SEED; PRESET=asan under the address sanitizer'
 	@echo 'make test          builds everything and runs all tests'
@@ -120,6 +121,12 @@ decisions: ENVIRONMENT = build/python
 decisions: PACKAGES += $(if $(filter /usr/bin/python3,$(PYTHON)),$(PYTHONS))
 decisions: build
 	@PYTHONPATH=$(BUILD)/python build/python/bin/python -B scripts/draw-decisions --build $(BUILD)
+
+eyes: TARGETS = --target simgt
+eyes: ENVIRONMENT = build/python
+eyes: PACKAGES += $(if $(filter /usr/bin/python3,$(PYTHON)),$(PYTHONS))
+eyes: build
+	@build/python/bin/python -B scripts/draw-eyes $(ONLY) --build $(BUILD)
 
 pictures: PACKAGES += $(QT) xvfb xauth
 pictures: TARGETS = --target workbench_clicks
