@@ -149,7 +149,7 @@ void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorData
   if (calibration != calibration_) lean_ = {};
   calibration_ = calibration;
   lean_.parameters = parameters.lean;
-  if (lastLandmarks_.time == lastMatrix_.time && lastMatrix_.valid) {
+  if (stood_ && lastLandmarks_.time == lastMatrix_.time) {
     takeHeights(lastMatrix_, lastBall_, lastLandmarks_, field, heights_);
     lean_.learn(heights_, azimuthOf(lastMatrix_), giving_);
   }
@@ -201,6 +201,7 @@ void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorData
                         [&](const JointAngles& angles) { return poseFor(angles, giving_); });
   matrix.covariance = lean_.covariance(azimuthOf(matrix), giving_);
   matrix.valid = stands && (motion.stable || gravity);
+  stood_ = stands && motion.stable;
   lastMatrix_ = matrix;
 
   const BodyPosture built = lean_.built(), deviation = lean_.deviation();

@@ -67,6 +67,7 @@ class DefaultSensorDataProcessor {
 
   LeanFilter lean_;
   BodyPosture giving_;            ///< That of the model, with the last matrix.
+  bool stood_ = false;            ///< With that matrix, on its legs.
   RobotCalibration calibration_;  ///< With which it learns.
   std::vector<SeenHeight> heights_;
   ImageDelay delay_;

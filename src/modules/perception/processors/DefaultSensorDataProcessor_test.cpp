@@ -191,6 +191,20 @@ TEST_F(DefaultSensorDataProcessorTest, KnowsFromWhereARobotLooksThatLiesStill) {
   EXPECT_LT((matrix_.pose.translation - expected.translation).norm(), 1e-6);
 }
 
+// What it sees then tells nothing of how it stands on its legs.
+TEST_F(DefaultSensorDataProcessorTest, LearnsNothingOfHowItLeansWhileItLies) {
+  motion_.stable = false;
+  for (int i = 0; i < 50; ++i, now_ = now_ + 40) {
+    fill(0);
+    run();
+    ASSERT_TRUE(matrix_.valid);
+    landmarks_.time = now_;
+    landmarks_.numberOfFlags = 1;
+    landmarks_.flags[0].boundary = {.left = 0.02, .right = -0.02, .top = 0.25, .bottom = 0.15};
+  }
+  EXPECT_EQ(learned_.robot, RobotCalibration{});
+}
+
 TEST_F(DefaultSensorDataProcessorTest, NoticesAFallOnlyWhenItLasts) {
   for (int i = 0; i < 50; ++i, now_ = now_ + 40) {
     fill(0);
