@@ -94,12 +94,11 @@ Result<std::unique_ptr<SimulatedWalker>> SimulatedWalker::make(const DataRoot& r
   if (auto read = readConfig(root.path("config/modules/WalkingEngine.InvKin.cfg"), walk); !read)
     return read.error();
   DefaultSensorDataProcessor::Parameters sensors;
-  sensors.lean.learns = false;
-  if (!world.legsOnly) {
-    sensors = {};
-    auto read = readConfig(root.path("config/modules/SensorDataProcessor.Default.cfg"), sensors);
-    if (!read) return read.error();
-  }
+  const std::string learned = root.path("config/modules/SensorDataProcessor.Default.cfg");
+  if (world.legsOnly)
+    sensors.lean.learns = false;
+  else if (auto read = readConfig(learned, sensors); !read)
+    return read.error();
   setProfile(*scene, world.profile);
   if (world.change) world.change(*scene);
   scene->noise.slip = std::max(world.slip, scene->noise.slip);

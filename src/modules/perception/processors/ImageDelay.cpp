@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modules/perception/specialists/SeenHeights.h"
+
 namespace gt {
 namespace {
 
@@ -51,15 +53,13 @@ void ImageDelay::learn(const Sighting& before, const Sighting& now) {
 
 void ImageDelay::learnFromHeight(const FlagPercept& flag, const CameraMatrix& matrix,
                                  const FieldDimensions& field) {
+  const auto height = heightOf(flag, matrix, field);
+  if (!height) return;
   const ConditionalBoundary& b = flag.boundary;
-  const double height = std::tan(b.top) - std::tan(b.bottom);
-  if (b.topOnBorder || b.bottomOnBorder || height <= 0) return;
-  const double distance = (field.flagTop - field.flagBottom) / height;
-  const double above = (field.flagTop + field.flagBottom) / 2 - matrix.pose.translation.z();
-  const double azimuth = (b.left + b.right) / 2, seen = (std::tan(b.top) + std::tan(b.bottom)) / 2;
+  const double azimuth = height->azimuth, seen = (std::tan(b.top) + std::tan(b.bottom)) / 2;
   const double rising =
       matrix.turning.cross(Vector3d{std::cos(azimuth), std::sin(azimuth), seen}).z();
-  const double off = std::atan(seen) - std::atan2(above, distance) + seconds_ * rising;
+  const double off = height->tooHigh + seconds_ * rising;
   if (std::abs(off) > mostOff) return;
   const double weight = std::pow(angleNoise / heightNoise, 2);
   products_ += weight * rising * off;

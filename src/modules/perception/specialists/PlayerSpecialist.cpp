@@ -31,7 +31,7 @@ constexpr double footError = 0.1;      // their distance, as matrix and image er
 constexpr double bodyWidth = 300;      // mm: the longest that a robot is seen
 constexpr double footBeside = 60;      // mm: feet stand that far beside the tricot
 constexpr double farBelow = 1e4;       // pixels: to the end of the image
-// Tricots are lower than the camera; its matrix errs by 1.5 degrees.
+// Tricots are lower than the camera, whose matrix errs.
 constexpr double highestTricot = fromDegrees(4);
 
 // What is below the tricot and does not belong to the ground, nor to what lies on it.

@@ -1,8 +1,5 @@
 #include "modules/perception/specialists/SeenHeights.h"
 
-#include <cmath>
-#include <optional>
-
 namespace gt {
 namespace {
 
@@ -43,6 +40,11 @@ std::optional<SeenHeight> heightOf(const ConditionalBoundary& b, const CameraMat
 
 }  // namespace
 
+std::optional<SeenHeight> heightOf(const FlagPercept& flag, const CameraMatrix& matrix,
+                                   const FieldDimensions& field) {
+  return heightOf(flag.boundary, matrix, field.flagBottom, field.flagTop, edgeError);
+}
+
 void takeHeights(const CameraMatrix& matrix, const BallPercept& ball,
                  const LandmarksPercept& landmarks, const FieldDimensions& field,
                  std::vector<SeenHeight>& heights) {
@@ -52,8 +54,7 @@ void takeHeights(const CameraMatrix& matrix, const BallPercept& ball,
   };
   take(heightOf(ball, matrix, field.ballRadius));
   for (int i = 0; i < landmarks.numberOfFlags; ++i)
-    take(heightOf(landmarks.flags[static_cast<std::size_t>(i)].boundary, matrix, field.flagBottom,
-                  field.flagTop, edgeError));
+    take(heightOf(landmarks.flags[static_cast<std::size_t>(i)], matrix, field));
   for (int i = 0; i < landmarks.numberOfGoals; ++i)
     take(heightOf(landmarks.goals[static_cast<std::size_t>(i)].boundary, matrix, 0,
                   field.goalHeight, footError));

@@ -1,4 +1,6 @@
 #pragma once
+#include <cmath>
+#include <optional>
 #include <vector>
 
 #include "representations/infrastructure/FieldDimensions.h"
@@ -20,6 +22,10 @@ struct SeenHeight {
   /// `tooHigh` that they mend.
   Vector3d mended() const { return {-std::sin(azimuth), std::cos(azimuth), -1 / distance}; }
 };
+
+/// That of a flag; nothing if its upper or lower end is not seen.
+std::optional<SeenHeight> heightOf(const FlagPercept& flag, const CameraMatrix& matrix,
+                                   const FieldDimensions& field);
 
 /// Replaces `heights` by those of all that was perceived with a camera matrix.
 void takeHeights(const CameraMatrix& matrix, const BallPercept& ball,
