@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "base/Random.h"
 
 namespace gt {
@@ -99,6 +101,92 @@ TEST(ScanGrid, RowsAlternateInDirection) {
   for (std::size_t i = 0; i + 1 < grid.rows().size(); ++i) {
     EXPECT_EQ(grid.rows()[i].step, -grid.rows()[i + 1].step);
     EXPECT_LT(grid.rows()[i].start.y(), grid.rows()[i + 1].start.y());
+  }
+}
+
+// Counted one by one: the centers of pixels along the axis that is closer, between low and high.
+TEST(ClippedLine, HasAllPixelsOfItsPartOfTheImage) {
+  const CameraInfo info;
+  Random random{1};
+  for (int i = 0; i < 500; ++i) {
+    const Vector2d base{random.uniform(-50, 250), random.uniform(-50, 200)};
+    const Vector2d way = direction(random.uniform(-pi, pi));
+    const double low = random.uniform(-200, 50), high = low + random.uniform(10, 300);
+    const ScanLine line = clippedLine(info, base, way, low, high);
+    const int major = std::abs(way.x()) > std::abs(way.y()) ? 0 : 1;
+    int pixels = 0;
+    for (int k = 0; k < (major == 0 ? info.width : info.height); ++k) {
+      const double t = (k + 0.5 - base[major]) / way[major];
+      const Vector2d p = base + t * way;
+      pixels += t >= low && t <= high && info.contains(p.x(), p.y()) ? 1 : 0;
+    }
+    EXPECT_EQ(line.length, pixels) << i;
+    if (line.length == 0) continue;
+    EXPECT_NEAR(std::abs(line.step[major]), 1, 1e-12);
+    EXPECT_GT(line.step.dot(way), 0);
+    for (int k = 0; k < line.length; ++k) {
+      const Vector2d p = line.at(k) - base;
+      EXPECT_NEAR(p.x() * way.y() - p.y() * way.x(), 0, 1e-9);
+      EXPECT_NEAR(line.at(k)[major] - std::floor(line.at(k)[major]), 0.5, 1e-9);
+    }
+    const Vector2d from = base + low * way, to = base + high * way;
+    EXPECT_EQ(line.fromBorder, !info.contains(from.x(), from.y())) << i;
+    EXPECT_EQ(line.toBorder, !info.contains(to.x(), to.y())) << i;
+  }
+}
+
+TEST(ClippedLine, AlongAnAxisIsEmptyBesideTheImage) {
+  const CameraInfo info;
+  for (const auto& [at, inside] :
+       {std::pair{-0.1, false}, {0., true}, {143.9, true}, {144., false}})
+    EXPECT_EQ(clippedLine(info, {10, at}, {1, 0}, 0, 50).length, inside ? 50 : 0) << at;
+  for (const auto& [at, inside] :
+       {std::pair{-0.1, false}, {0., true}, {175.9, true}, {176., false}})
+    EXPECT_EQ(clippedLine(info, {at, 10}, {0, 1}, 0, 50).length, inside ? 50 : 0) << at;
+  EXPECT_EQ(clippedLine(info, {10, 10}, {1, 0}, 5, 5).length, 0);
+}
+
+// Finer lines end at so many times their spacing above and below the horizon.
+TEST(ScanGrid, FinerLinesReachAsFarAsTheirSpacingSays) {
+  const CameraInfo info;
+  Horizon horizon;
+  horizon.base = {info.width / 2., info.height / 2.};
+  ScanGrid grid;
+  grid.build(info, horizon, {.dense = 3, .reachUp = 4, .reachDown = 7});
+  int whole = 0, middle = 0, fine = 0;
+  for (std::size_t i = 0; i < grid.lines().size(); ++i) {
+    const ScanLine& line = grid.lines()[i];
+    const double top = line.start.y() - 0.5, bottom = line.at(line.length).y() - 0.5;
+    EXPECT_NEAR(line.start.x(), line.u + horizon.base.x(), 1e-9);
+    if (i > 0) {
+      EXPECT_NEAR(line.u - grid.lines()[i - 1].u, 3, 1e-9);
+    }
+    if (line.whole) {
+      ++whole;
+      EXPECT_EQ(line.length, info.height);
+    } else {
+      const double spacing = bottom > 72 + 5 * 7 ? 6 : 3;
+      ++(spacing == 6 ? middle : fine);
+      EXPECT_NEAR(top, 72 - 4 * spacing, 1);
+      EXPECT_NEAR(bottom, 72 + 7 * spacing, 1);
+    }
+  }
+  EXPECT_NEAR(whole, 176. / 12, 1);
+  EXPECT_NEAR(middle, 176. / 12, 1);
+  EXPECT_NEAR(fine, 176. / 6, 1);
+}
+
+TEST(ScanGrid, RowsBelowTheHorizonGetRarer) {
+  const CameraInfo info;
+  Horizon horizon;
+  horizon.base = {info.width / 2., 20};
+  ScanGrid grid;
+  grid.build(info, horizon, {.dense = 2});
+  ASSERT_EQ(grid.rows().size(), 5u);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const ScanLine& row = grid.rows()[i];
+    EXPECT_EQ(row.length, info.width);
+    EXPECT_NEAR(row.start.y() - 20, 10 * std::pow(1.7, i), 1e-9);
   }
 }
 
