@@ -69,5 +69,67 @@ TEST_F(CameraImageTest, AColorIsInASetOrNot) {
   }
 }
 
+// Colors that grow evenly to the right and downwards are met exactly between pixel centers.
+TEST_F(CameraImageTest, InterpolatesColors) {
+  for (int row = 0; row < image_.info.height; ++row)
+    for (int column = 0; column < image_.info.width; ++column)
+      image_.at(column, row) = {static_cast<std::uint8_t>(column), static_cast<std::uint8_t>(row),
+                                static_cast<std::uint8_t>((column + row) / 2), 0};
+  for (const Vector2d& p : {Vector2d{80.5, 60.5}, {80.75, 60.5}, {80.5, 60.75}, {81.2, 61.9}}) {
+    const Vector3d color = picture_.colorAt(p);
+    EXPECT_NEAR(color[0], p.x() - 0.5, 1e-9);
+    EXPECT_NEAR(color[1], p.y() - 0.5, 1e-9);
+    EXPECT_NEAR(color[2], (p.x() + p.y() - 1) / 2, 0.5);
+  }
+  EXPECT_NEAR(picture_.colorAt({-5, -5})[0], 0, 1e-9);
+  EXPECT_NEAR(picture_.colorAt({-5, -5})[1], 0, 1e-9);
+  EXPECT_NEAR(picture_.colorAt({500, 500})[0], 175, 0.01) << "the last column";
+  EXPECT_NEAR(picture_.colorAt({500, 500})[1], 143, 0.01);
+}
+
+TEST_F(CameraImageTest, FindsASharpEdgeBetweenPixelsExactly) {
+  drawEdge(80);
+  const auto white = ColorSet{ColorClass::white}, black = ColorSet{ColorClass::black};
+  EXPECT_NEAR(picture_.findEdge({100.5, 60.5}, {-1, 0}, white, 2).point.x(), 80, 1e-9);
+  EXPECT_NEAR(picture_.findEdge({60.5, 60.5}, {1, 0}, black, 2).point.x(), 80, 1e-9);
+  EXPECT_NEAR(picture_.findEdge({80.5, 60.5}, {-1, 0}, white, 2).point.x(), 80, 1e-9)
+      << "begins beside it";
+  EXPECT_NEAR(picture_.findEdge({79.5, 60.5}, {1, 0}, black, 2).point.x(), 80, 1e-9);
+  const Vector2d slanted = direction(0.3);
+  EXPECT_NEAR(picture_.findEdge({60.5, 60.5}, slanted, black, 2).point.x(), 80, 0.1);
+}
+
+// Its class may end where hardly anything changes: the edge is half a pixel behind the last one.
+TEST_F(CameraImageTest, AnEdgeWithoutContrastLiesBehindTheLastPixelOfItsClass) {
+  for (int row = 0; row < image_.info.height; ++row)
+    for (int column = 0; column < image_.info.width; ++column)
+      image_.at(column, row).y = column < 80 ? 119 : 125;
+  EXPECT_NEAR(picture_.findEdge({60.5, 60.5}, {1, 0}, ColorSet{ColorClass::black}, 2).point.x(), 80,
+              1e-9);
+  EXPECT_NEAR(picture_.findEdge({90.5, 60.5}, {-1, 0}, ColorSet{ColorClass::white}, 2).point.x(),
+              80, 1e-9);
+}
+
+TEST_F(CameraImageTest, AColorEndsAtTheBorderIfItWasSeenNextToIt) {
+  drawEdge(0);
+  const auto edge = [&] {
+    return picture_.findEdge({100.5, 60.5}, {-1, 0}, ColorSet{ColorClass::white}, 5);
+  };
+  EXPECT_TRUE(edge().onBorder);
+  EXPECT_NEAR(edge().point.x(), 0.5, 1e-9);
+  image_.at(0, 60) = dark;
+  EXPECT_TRUE(edge().onBorder);
+  image_.at(1, 60) = dark;
+  EXPECT_FALSE(edge().onBorder);
+}
+
+// While the head turns each row has a rotation of its own.
+TEST_F(CameraImageTest, ADirectionIsSeenWhereItsRowSawIt) {
+  matrix_.info.rowTime = 0.23;
+  matrix_.turning = {0.3, -1, 2};
+  for (const Vector2d& p : {Vector2d{20, 10}, {88, 72}, {150, 140}})
+    EXPECT_NEAR((picture_.pointOf(picture_.ray(p)) - p).norm(), 0, 0.1) << p.transpose();
+}
+
 }  // namespace
 }  // namespace gt
