@@ -99,5 +99,127 @@ TEST_F(LikeAFlag, SomebodyBehindItInItsUpperColorIsNoPartOfIt) {
   }
 }
 
+/// A flag's boundary as it follows from its size, seen from a camera that is not in the middle of
+/// the robot.
+class LocateFlag : public testing::Test {
+ protected:
+  static constexpr double height = 190;
+  FieldDimensions field_;
+  CameraMatrix matrix_ = cameraAt({60, 20, height}, 0, 0, 0);
+  FlagPercept flag_;
+
+  /// Elevation of what is that high on the side that faces the camera.
+  double seen(double z, double distance) const {
+    return std::atan2(z - matrix_.pose.translation.z(), distance - field_.flagRadius);
+  }
+  /// A flag that is seen wider and higher than it is, and at another height.
+  bool locate(double distance, double bearing = 0, double wider = 1, double higher = 1,
+              double lifted = 0) {
+    const double half = wider * std::asin(field_.flagRadius / distance);
+    const double middle = (field_.flagTop + field_.flagBottom) / 2 + lifted;
+    const double halfHeight = higher * (field_.flagTop - field_.flagBottom) / 2;
+    ConditionalBoundary& b = flag_.boundary;
+    b.left = bearing + half;
+    b.right = bearing - half;
+    b.top = seen(middle + halfHeight, distance);
+    b.bottom = seen(middle - halfHeight, distance);
+    return locateFlag(matrix_, field_, seen(middle, distance), flag_);
+  }
+  void cutOff(bool left, bool right, bool top, bool bottom) {
+    ConditionalBoundary& b = flag_.boundary;
+    b.leftOnBorder = left;
+    b.rightOnBorder = right;
+    b.topOnBorder = top;
+    b.bottomOnBorder = bottom;
+  }
+  /// Where it stands from the robot's middle.
+  static Vector2d place(double distance, double bearing) {
+    return Vector2d{60, 20} + distance * direction(bearing);
+  }
+};
+
+TEST_F(LocateFlag, StandsWhereItsSizeSays) {
+  for (const double distance : {500., 1000., 3000.})
+    for (const double bearing : {-0.4, 0., 0.7}) {
+      ASSERT_TRUE(locate(distance, bearing)) << distance;
+      EXPECT_NEAR(flag_.distance, place(distance, bearing).norm(), 1e-6);
+      EXPECT_NEAR(flag_.angle, angleOf(place(distance, bearing)), 1e-9);
+    }
+}
+
+// What the image cuts off is not measured: the rest gives the same place.
+TEST_F(LocateFlag, StandsWhereThePartInTheImageSays) {
+  const double distance = 800, bearing = 0.3;
+  for (const bool left : {false, true})
+    for (const bool right : {false, true})
+      for (const bool top : {false, true})
+        for (const bool bottom : {false, true}) {
+          cutOff(left, right, top, bottom);
+          ASSERT_TRUE(locate(distance, bearing));
+          ConditionalBoundary& b = flag_.boundary;
+          if (left) b.left -= 0.03;
+          if (right) b.right += 0.03;
+          if (top) b.top -= 0.05;
+          if (bottom) b.bottom += 0.05;
+          ASSERT_TRUE(locateFlag(matrix_, field_, seen(310, distance), flag_));
+          const bool known = !(left || right) || !(top && bottom);
+          if (known) {
+            EXPECT_NEAR(flag_.distance, place(distance, bearing).norm(), 1e-6)
+                << left << right << top << bottom;
+          } else {
+            EXPECT_EQ(flag_.distance, 0);
+            EXPECT_NEAR(flag_.angle, (b.left + b.right) / 2, 1e-9);
+          }
+          if (known && !(left && right)) {
+            EXPECT_NEAR(flag_.angle, angleOf(place(distance, bearing)), 1e-9)
+                << left << right << top << bottom;
+          }
+        }
+}
+
+// The height is twice the width and so twice as exact: its variance is a fourth.
+TEST_F(LocateFlag, ItsHeightCountsFourTimesAsMuchAsItsWidth) {
+  ASSERT_TRUE(locate(1000, 0, 1.25));
+  const double byWidth = field_.flagRadius / std::sin(1.25 * std::asin(0.05));
+  EXPECT_NEAR(flag_.distance, place(0.8 * 1000 + 0.2 * byWidth, 0).norm(), 1e-6);
+}
+
+// 200 mm high and 100 mm wide; from a camera at the height of its middle.
+TEST_F(LocateFlag, IsAboutTwiceAsHighAsWide) {
+  matrix_.pose.translation.z() = 310;
+  for (const auto& [wider, higher, is] : {std::tuple{1., 0.65, true},
+                                          {1., 0.45, false},
+                                          {1., 1.45, true},
+                                          {1., 1.75, false},
+                                          {1.4, 1., true},
+                                          {2.2, 1., false}})
+    EXPECT_EQ(locate(1000, 0, wider, higher), is) << wider << " " << higher;
+  cutOff(false, false, true, false);
+  EXPECT_TRUE(locate(1000, 0, 1, 0.45)) << "cut off";
+  EXPECT_FALSE(locate(1000, 0, 1, 1.75));
+  cutOff(false, true, false, false);
+  EXPECT_TRUE(locate(1000, 0, 1, 1.75)) << "cut off";
+  EXPECT_FALSE(locate(1000, 0, 1, 0.45));
+}
+
+// The camera matrix errs by 70 mm and some degrees.
+TEST_F(LocateFlag, StandsAtItsHeightAboveTheGround) {
+  for (const double lifted : {-170., 170.}) {
+    EXPECT_TRUE(locate(1000, 0, 1, 1, lifted));
+    EXPECT_FALSE(locate(700, 0, 1, 1, lifted));
+    EXPECT_FALSE(locate(1000, 0, 1, 1, 1.3 * lifted));
+    cutOff(false, false, true, true);
+    EXPECT_FALSE(locate(700, 0, 1, 1, lifted)) << "neither does its middle";
+    cutOff(false, false, false, false);
+  }
+}
+
+TEST_F(LocateFlag, StandsOnTheField) {
+  EXPECT_TRUE(locate(5300));
+  EXPECT_FALSE(locate(5700));
+  EXPECT_FALSE(locate(1000, 0, -1)) << "of no width";
+  EXPECT_FALSE(locate(1000, 0, 1, -1)) << "of no height";
+}
+
 }  // namespace
 }  // namespace gt
