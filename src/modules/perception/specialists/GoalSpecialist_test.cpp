@@ -105,5 +105,104 @@ TEST_F(LikeAGoal, ASmallYellowBoxIsNone) {
   }
 }
 
+/// The front of a goal, as its size and its place ahead of a camera make it.
+class LocateGoal : public testing::Test {
+ protected:
+  static constexpr double height = 190, depth = 300;
+  FieldDimensions field_;
+  CameraMatrix matrix_ = cameraAt({60, 20, height}, 0, 0, 0);
+  GoalPercept goal_;
+
+  /// At a distance at which its width, height, and how high its foot is are seen.
+  bool locate(double distance, double width = 600, double goalHeight = 300, double foot = 0) {
+    ConditionalBoundary& b = goal_.boundary;
+    b.left = width / 2 / distance;
+    b.right = -b.left;
+    b.top = std::atan2(foot + goalHeight - height, distance);
+    b.bottom = std::atan2(foot - height, distance);
+    return locateGoal(matrix_, field_, goal_);
+  }
+  void cutOff(bool left, bool right, bool top, bool bottom) {
+    goal_ = {};
+    ConditionalBoundary& b = goal_.boundary;
+    b.leftOnBorder = left;
+    b.rightOnBorder = right;
+    b.topOnBorder = top;
+    b.bottomOnBorder = bottom;
+  }
+};
+
+// The walls that are as high as they are seen are on average halfway to its back.
+TEST_F(LocateGoal, ItsHeightGivesItsDistance) {
+  for (const double distance : {700., 1500., 4000.}) {
+    cutOff(false, false, false, false);
+    ASSERT_TRUE(locate(distance)) << distance;
+    const Vector2d middle{60 + distance - depth / 2, 20};
+    EXPECT_NEAR(goal_.distance, middle.norm(), 1e-6);
+    EXPECT_NEAR(goal_.angle, angleOf(middle), 1e-9);
+    EXPECT_FALSE(goal_.boundary.leftOnBorder || goal_.boundary.rightOnBorder);
+  }
+}
+
+TEST_F(LocateGoal, WithoutATopItIsInTheDirectionOfItsFoot) {
+  cutOff(false, false, true, false);
+  ASSERT_TRUE(locate(700));
+  EXPECT_EQ(goal_.distance, 0);
+  EXPECT_NEAR(goal_.angle, std::atan2(20, 60 + 700), 1e-9);
+  cutOff(false, false, false, true);
+  ASSERT_TRUE(locate(700));
+  EXPECT_EQ(goal_.distance, 0);
+  EXPECT_EQ(goal_.angle, 0) << "where the camera sees it";
+}
+
+// The camera matrix errs by 80 mm and some degrees.
+TEST_F(LocateGoal, StandsOnTheGround) {
+  for (const double foot : {-180., 180.}) {
+    cutOff(false, false, false, false);
+    EXPECT_TRUE(locate(1000, 600, 300, foot)) << foot;
+    EXPECT_FALSE(locate(700, 600, 300, foot)) << foot;
+    EXPECT_FALSE(locate(1000, 600, 300, 1.3 * foot)) << foot;
+  }
+  cutOff(false, false, true, false);
+  EXPECT_TRUE(locate(1000, 600, 300, height)) << "at the horizon";
+  EXPECT_FALSE(locate(1000, 600, 300, height + 40)) << "above it";
+}
+
+TEST_F(LocateGoal, IsNotMuchWiderThanAGoal) {
+  cutOff(false, false, false, false);
+  EXPECT_TRUE(locate(1500, 900));
+  EXPECT_FALSE(locate(1500, 1000));
+  EXPECT_FALSE(locate(1500, -600));
+  EXPECT_FALSE(locate(1500, 600, -300));
+}
+
+// A robot hides one side of it, and nothing shows which one.
+TEST_F(LocateGoal, NothingIsKnownOfTheSidesOfLessThanHalfOfIt) {
+  for (const auto& [width, hidden] : {std::pair{300., false}, {240., true}}) {
+    cutOff(false, false, false, false);
+    ASSERT_TRUE(locate(1500, width));
+    EXPECT_EQ(goal_.boundary.leftOnBorder, hidden) << width;
+    EXPECT_EQ(goal_.boundary.rightOnBorder, hidden) << width;
+  }
+  cutOff(false, false, true, false);
+  ASSERT_TRUE(locate(1500, 240));
+  EXPECT_FALSE(goal_.boundary.leftOnBorder) << "its size is not known";
+}
+
+TEST_F(LocateGoal, WithAHiddenFootItIsWiderThanAFlag) {
+  cutOff(false, false, false, true);
+  EXPECT_TRUE(locate(1500, 200));
+  EXPECT_FALSE(locate(1500, 150));
+  cutOff(true, false, false, true);
+  EXPECT_TRUE(locate(1500, 150)) << "cut off by the image";
+  cutOff(false, true, false, true);
+  EXPECT_TRUE(locate(1500, 150));
+  cutOff(false, false, true, true);
+  EXPECT_TRUE(locate(1500, 150));
+  matrix_.pose.translation.z() = 310;
+  cutOff(false, false, false, true);
+  EXPECT_TRUE(locate(1500, 150)) << "from above its distance is not known";
+}
+
 }  // namespace
 }  // namespace gt
