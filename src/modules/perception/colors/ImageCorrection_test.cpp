@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "modules/perception/testing/DrawnField.h"
@@ -104,6 +105,55 @@ TEST(ImageCorrection, LearnsNothingWithoutCarpet) {
   CastField field;
   field.matrix = cameraAt({0, 0, 170}, 0, 0.8, 0);
   EXPECT_EQ(&field.look(0.5, 16), &field.image);
+}
+
+// Each pixel, the cast that grows with the square of the distance from the middle taken away, and
+// brighter and more colorful by the gain.
+TEST(ImageCorrection, CorrectsEachPixelByGainAndCast) {
+  CastField field;
+  for (int i = 0; i < 20; ++i) field.look(0.5, 12);
+  Random random{2};
+  for (int i = 0; i < 2000; ++i) {
+    const int x = static_cast<int>(random.index(176)), y = static_cast<int>(random.index(10));
+    field.image.at(x, y) = {static_cast<std::uint8_t>(random()),
+                            static_cast<std::uint8_t>(random()),
+                            static_cast<std::uint8_t>(random()), 7};
+  }
+  const Image& image = field.correction.correct(field.image, horizonOf(field.matrix), field.colors);
+  const double gain = field.correction.gain();
+  EXPECT_NEAR(gain, 2, 0.2);
+  const Vector2d cast = field.correction.cast();
+  EXPECT_NEAR(cast.x(), 12, 1.5);
+  for (int y = 0; y < image.info.height; ++y)
+    for (int x = 0; x < image.info.width; ++x) {
+      const double right = (x + 0.5) / 88 - 1, down = (y + 0.5) / 72 - 1;
+      const double outward = (right * right + down * down) / 2;
+      const auto expected = [&](double value, double gray, double off) {
+        return std::clamp((value - gray - off * outward) * gain + gray, 0., 255.);
+      };
+      const Pixel &from = field.image.at(x, y), &to = image.at(x, y);
+      ASSERT_NEAR(to.y, expected(from.y, 0, 0), 1);
+      ASSERT_NEAR(to.cb, expected(from.cb, 128, cast.x()), 1) << x << " " << y;
+      ASSERT_NEAR(to.cr, expected(from.cr, 128, cast.y()), 1) << x << " " << y;
+      ASSERT_EQ(to.unused, from.unused);
+    }
+}
+
+TEST(ImageCorrection, TheGainHasLimits) {
+  CastField dark;
+  dark.look(0.2);
+  EXPECT_EQ(dark.correction.gain(), 4) << "above it there is only noise";
+  CastField same;
+  same.look(0.9);
+  EXPECT_EQ(same.correction.gain(), 1) << "so little light is not worth it";
+}
+
+TEST(ImageCorrection, ACastHasALimitAndMustBeWorthIt) {
+  CastField little;
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(&little.look(1, 3), &little.image);
+  CastField some;
+  for (int i = 0; i < 20; ++i) some.look(1, 6);
+  EXPECT_NE(&some.look(1, 6), &some.image);
 }
 
 }  // namespace
