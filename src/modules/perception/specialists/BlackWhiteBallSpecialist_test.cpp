@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 
 #include "modules/perception/testing/DrawnField.h"
@@ -91,6 +92,98 @@ TEST_F(BlackWhiteBallTest, AWhiteBallWithABlackDotIsNone) {
         1, 2, random_);
     look(scene);
     EXPECT_FALSE(percept_.seen) << i;
+  }
+}
+
+/// A ball on green ground that ends at the horizon, without noise.
+class BallOnGreen : public BlackWhiteBallTest {
+ protected:
+  DrawnField scene_{-0.25};
+  const Vector3d ball_{400, 30, radius};
+  Vector2d center_ = Vector2d::Zero();
+  double pixels_ = 0;  ///< Its radius.
+
+  void lookAt(const Vector3d& ball, const Vector3d& color) {
+    const Vector3d to = ball - scene_.matrix.pose.translation;
+    scene_.draw(
+        [&](const Vector3d& ray) {
+          return (to - ray * to.dot(ray)).norm() < radius ? color
+                 : ray.z() < 0                            ? fieldGreen
+                                                          : fieldWhite;
+        },
+        1, 0, random_);
+    center_ = pointIn(scene_.matrix, to);
+    pixels_ = scene_.matrix.info.focalX * std::tan(std::asin(radius / to.norm()));
+    look(scene_);
+  }
+};
+
+TEST_F(BallOnGreen, ItsEdgesLieOnItsCircleAndPointInwards) {
+  for (const Vector3d& color : {fieldWhite, fieldBlack}) {
+    lookAt({400, 30, radius}, color);
+    int left = 0, right = 0;
+    for (const auto& edge : specialist_.edges()) {
+      if (!edge.onBall) continue;
+      const Vector2d inward = center_ - edge.point;
+      EXPECT_NEAR(inward.norm(), pixels_, 1.5);
+      EXPECT_GT(edge.inward.dot(inward.normalized()), 0.97);
+      EXPECT_NEAR(edge.inward.norm(), 1, 1e-9);
+      ++(inward.x() > 0 ? left : right);
+    }
+    // Five rows or more for each radius, but not at the top and the bottom.
+    EXPECT_GE(left, 6);
+    EXPECT_GE(right, 6);
+  }
+}
+
+TEST_F(BallOnGreen, ItsEdgesHaveContrast) {
+  lookAt(ball_, {fieldGreen[0] + 22, 128, 128});
+  EXPECT_EQ(specialist_.edges().size(), 0u);
+  lookAt(ball_, {fieldGreen[0] + 32, 128, 128});
+  EXPECT_GT(specialist_.edges().size(), 8u);
+  lookAt(ball_, {fieldGreen[0] - 32, 128, 128});
+  EXPECT_GT(specialist_.edges().size(), 8u);
+}
+
+TEST_F(BallOnGreen, OtherColorsAreNoBall) {
+  const Vector3d orange{150, 70, 200};
+  lookAt(ball_, orange);
+  table_ = Palette{{{ColorClass::orange, {150, 70, 200, 0}}, {ColorClass::green, {77, 113, 82, 0}}},
+                   fieldGreen}
+               .table(30);
+  look(scene_);
+  EXPECT_GT(specialist_.edges().size(), 8u);
+  for (const auto& edge : specialist_.edges()) EXPECT_FALSE(edge.onBall);
+}
+
+TEST_F(BallOnGreen, IsBlackAndWhite) {
+  for (const Vector3d& color : {fieldWhite, fieldBlack, Vector3d{110, 128, 128}}) {
+    lookAt({400, 0, radius}, color);
+    EXPECT_FALSE(percept_.seen) << color[0];
+  }
+}
+
+// Stripes all over the image: a ball at the horizon reaches so many pixels above it.
+TEST_F(BallOnGreen, EdgesAreLookedForBelowTheHorizon) {
+  for (const double roll : {-0.2, 0., 0.2}) {
+    scene_ = DrawnField{-0.1, roll};
+    scene_.draw([](const Vector3d&) { return fieldGreen; }, 1, 0, random_);
+    for (int y = 0; y < scene_.image.info.height; ++y)
+      for (int x = 0; x < scene_.image.info.width; ++x)
+        if (x / 22 % 2 == 0) scene_.image.at(x, y) = {230, 128, 128, 0};
+    look(scene_);
+    const Horizon horizon = horizonOf(scene_.matrix);
+    std::array<int, 8> highest{};
+    highest.fill(scene_.image.info.height);
+    for (const auto& edge : specialist_.edges()) {
+      EXPECT_GE(horizon.fromImage(edge.point).y(), -7);
+      const auto stripe = static_cast<std::size_t>(edge.point.x() / 22 + 0.5);
+      EXPECT_NEAR(edge.point.x(), 22. * static_cast<double>(stripe), 1);
+      highest.at(stripe) = std::min(highest.at(stripe), static_cast<int>(edge.point.y()));
+    }
+    for (std::size_t i = 1; i < 8; ++i)
+      EXPECT_NEAR(horizon.fromImage({22. * static_cast<double>(i), highest[i] + 0.5}).y(), -6, 2)
+          << roll << " " << i;
   }
 }
 
