@@ -50,5 +50,67 @@ TEST_F(CheckerboardTest, IsNotFoundWhereItIsNotOrNotWhole) {
   }
 }
 
+TEST_F(CheckerboardTest, EachCornerIsACandidateOfATurnedBoard) {
+  for (const double distance : {420., 550., 700.})
+    for (const double roll : {-0.4, 0., 0.3}) {
+      DrawnField scene{-0.05, roll};
+      scene.draw([&](const Vector3d& ray) { return drawn_.colorAt(ray, distance); }, 1, 0, random_);
+      ASSERT_TRUE(finder_.find(scene.image, horizonOf(scene.matrix), drawn_.board, corners_));
+      EXPECT_EQ(finder_.candidates().size(), 24u) << "one for each corner";
+      for (int i = 0; i < 24; ++i) {
+        const Vector3d corner = drawn_.cornerAt(i % 6, i / 6, distance);
+        const Vector2d truth = pointIn(scene.matrix, corner - scene.matrix.pose.translation);
+        EXPECT_LT((truth - corners_[static_cast<std::size_t>(i)]).norm(), 0.35) << i;
+      }
+    }
+}
+
+TEST_F(CheckerboardTest, HasAsManyColumnsAndRowsAsTheBoard) {
+  DrawnField scene{-0.05};
+  scene.draw([&](const Vector3d& ray) { return drawn_.colorAt(ray, 550); }, 1, 0, random_);
+  const Horizon horizon = horizonOf(scene.matrix);
+  for (const auto& [columns, rows, found] : {std::tuple{6, 4, true},
+                                             {4, 6, false},
+                                             {8, 3, false},
+                                             {3, 8, false},
+                                             {6, 3, false},
+                                             {7, 4, false}}) {
+    Checkerboard board = drawn_.board;
+    board.columns = columns;
+    board.rows = rows;
+    EXPECT_EQ(finder_.find(scene.image, horizon, board, corners_), found) << columns << rows;
+  }
+}
+
+// In weak light its squares differ less.
+TEST_F(CheckerboardTest, IsFoundInWeakLightAndNotWithoutContrast) {
+  for (const auto& [light, found] : {std::pair{0.25, true}, {0.05, false}}) {
+    DrawnField scene{-0.05};
+    scene.draw([&](const Vector3d& ray) { return drawn_.colorAt(ray, 550); }, light, 0, random_);
+    EXPECT_EQ(finder_.find(scene.image, horizonOf(scene.matrix), drawn_.board, corners_), found)
+        << light;
+  }
+}
+
+// A white spot, a line, an edge and a corner of something dark.
+TEST_F(CheckerboardTest, OnlyWhereSquaresMeetIsACorner) {
+  Image image;
+  image.allocate();
+  for (int y = 0; y < image.info.height; ++y)
+    for (int x = 0; x < image.info.width; ++x) {
+      const bool spot = std::abs(x - 30) < 3 && std::abs(y - 30) < 3;
+      const bool line = std::abs(x + y - 150)<3, edge = x> 120, corner = x > 140 && y > 100;
+      const bool ends = x > 60 && x < 70 && y > 100;
+      image.at(x, y).y = spot || line || corner || ends ? 230 : edge ? 130 : 20;
+    }
+  Checkerboard small;
+  small.columns = small.rows = 2;
+  EXPECT_FALSE(finder_.find(image, Horizon{}, small, corners_));
+  for (const Vector2d& candidate : finder_.candidates()) {
+    EXPECT_LT(std::abs(candidate.x() + candidate.y() - 150), 12)
+        << "where the line crosses the others: " << candidate.transpose();
+  }
+}
+
 }  // namespace
 }  // namespace gt
