@@ -109,5 +109,13 @@ TEST_F(BallViewTest, RefusesWhatIsNoBallOnAField) {
   EXPECT_FALSE(isOnGround(picture_, percept_, axisTo(flying), radius));
 }
 
+// From a camera 180 mm above the ground even a far ball is seen below the horizon.
+TEST_F(BallViewTest, ABallOnTheGroundIsBelowTheHorizon) {
+  for (const auto& [degrees, is] : {std::pair{0.7, true}, {1.3, false}}) {
+    const Vector3d axis{1, 0, std::tan(fromDegrees(degrees))};
+    EXPECT_EQ(isOnGround(picture_, {}, axis.normalized(), radius), is) << degrees;
+  }
+}
+
 }  // namespace
 }  // namespace gt
