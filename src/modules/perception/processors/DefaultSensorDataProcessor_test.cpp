@@ -322,5 +322,21 @@ TEST_F(DefaultSensorDataProcessorTest, NoticesAtOnceWhenItIsLiftedWithAJerk) {
   EXPECT_EQ(body_.state, BodyState::standing) << "with its paws on the ground it is only pushed";
 }
 
+TEST_F(DefaultSensorDataProcessorTest, PassesOnWhatTheNewestFrameSays) {
+  fill(0);
+  SensorData frame = sensors_.newest();
+  frame.time = now_ = now_ + 8;
+  frame.joints[Joint::tailPan] = 0.3;
+  frame.switches[Switch::chin] = true;
+  sensors_.push(frame);
+  run();
+  EXPECT_EQ(body_.time, now_);
+  EXPECT_EQ(psd_.time, now_);
+  EXPECT_EQ(body_.tailPan, 0.3);
+  EXPECT_TRUE(body_.switches[Switch::chin]);
+  EXPECT_EQ(matrix_.time, image_.time);
+  EXPECT_NEAR(body_.height, bodyPosture(robot_, frame.joints).height, 1e-9);
+}
+
 }  // namespace
 }  // namespace gt
