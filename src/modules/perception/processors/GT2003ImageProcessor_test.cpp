@@ -123,5 +123,27 @@ TEST_F(GT2003ImageProcessorTest, SurvivesNoise) {
   }
 }
 
+// What is drawn over an image lies where the thing is seen.
+TEST_F(GT2003ImageProcessorTest, DrawsPerceptsWhereTheyAre) {
+  ball_ = Vector3d{700, -80, field_.ballRadius};
+  flag_ = Vector2d{1500, 250};
+  goal_ = 2500;
+  percepts_.debug.keys().set(*DebugKey::find("ImageProcessor/percepts"), {DebugKeyMode::always});
+  look(0, -0.05, 0);
+  Drawing drawing;
+  percepts_.debug.out().handleAllMessages(
+      [&](const Message& message) { EXPECT_TRUE(message.read(drawing)); });
+  ASSERT_EQ(drawing.elements.size(), 3u);
+  const auto seen = [&](const Vector3d& place) { return pointIn(matrix_, place - camera()); };
+  EXPECT_EQ(drawing.elements[0].type, ElementType::circle);
+  EXPECT_NEAR((drawing.elements[0].points[0] - seen(*ball_)).norm(), 0, 1);
+  EXPECT_NEAR(drawing.elements[0].size, 160 * 43 / (*ball_ - camera()).norm(), 1);
+  const auto& flag = drawing.elements[1].points;
+  ASSERT_EQ(flag.size(), 4u);
+  EXPECT_NEAR((flag[0] - seen({1500, 300, 410})).norm(), 0, 2) << "left and top first";
+  EXPECT_NEAR((flag[2] - seen({1500, 200, 210})).norm(), 0, 2);
+  EXPECT_NEAR((drawing.elements[2].points[2] - seen({2500, -300, 0})).norm(), 0, 2);
+}
+
 }  // namespace
 }  // namespace gt
