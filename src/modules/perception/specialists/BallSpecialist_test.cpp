@@ -194,5 +194,34 @@ TEST_F(BallSpecialistTest, WithoutACameraMatrixABallHasGreenAroundIt) {
   }
 }
 
+// Larger clusters where the image shows no ball.
+TEST_F(BlurredBall, WhatIsRefusedGivesWayToTheNextLargestCluster) {
+  for (int others = 0; others <= 3; ++others) {
+    segments_.clear();
+    draw({350, -20, radius});
+    for (int i = 0; i < others; ++i)
+      for (int line = 0; line < 3; ++line) {
+        const double u = 8 + 24 * i + 2 * line;
+        add({u, 5}, {u, 135}, true, true);
+      }
+    addCircle();
+    look();
+    ASSERT_TRUE(percept_.seen) << others;
+    EXPECT_NEAR((percept_.centerInImage - center_).norm(), 0, 1) << others;
+  }
+}
+
+TEST_F(BlurredBall, TwoOrangePixelsAreNone) {
+  draw({350, -20, radius});
+  const Vector2d up{0, 1};
+  add(center_ - up, center_ + up, false, false);
+  look();
+  EXPECT_FALSE(percept_.seen);
+  segments_.clear();
+  add(center_ - 1.5 * up, center_ + 1.5 * up, false, false);
+  look();
+  EXPECT_TRUE(percept_.seen) << "it fills the image";
+}
+
 }  // namespace
 }  // namespace gt
