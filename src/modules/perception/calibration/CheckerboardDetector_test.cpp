@@ -44,5 +44,15 @@ TEST_F(CheckerboardDetectorTest, CalibratesAfterSoManyImagesFromDifferentDirecti
   EXPECT_EQ(detector_.calibration().pictures, 4);
 }
 
+TEST_F(CheckerboardDetectorTest, LooksForTheBoardThatItIsTold) {
+  look(-0.05);
+  ++detector_.parameters.board.rows;
+  look(-0.05);
+  EXPECT_TRUE(detector_.corners().empty());
+  --detector_.parameters.board.rows;
+  look(-0.05);
+  EXPECT_EQ(detector_.corners().size(), 24u);
+}
+
 }  // namespace
 }  // namespace gt
