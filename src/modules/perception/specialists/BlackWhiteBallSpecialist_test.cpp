@@ -95,6 +95,39 @@ TEST_F(BlackWhiteBallTest, AWhiteBallWithABlackDotIsNone) {
   }
 }
 
+// How large it is at its place says whether it is the ball.
+TEST_F(BlackWhiteBallTest, HasTheSizeOfABallOnTheGround) {
+  for (const double x : {300., 400.}) {
+    const Vector3d ball{x, 20, radius};
+    DrawnField scene{-0.25};
+    scene.draw([&](const Vector3d& ray) { return ballAt(ball, {0, 0, 170}, ray); }, 1, 0, random_);
+    const Horizon horizon = horizonOf(scene.matrix);
+    for (const double size : {0.3, 1., 2.5}) {
+      scene.matrix.valid = true;
+      const CameraImage picture{scene.image, table_, scene.matrix, horizon};
+      specialist_.find(picture, size * radius, random_, percept_);
+      EXPECT_EQ(percept_.seen, size == 1) << x << " " << size;
+      scene.matrix.valid = false;
+      specialist_.find(picture, size * radius, random_, percept_);
+      EXPECT_TRUE(percept_.seen) << "nothing says how large it should be there";
+      EXPECT_NEAR((percept_.centerInImage - picture.pointOf(ball - Vector3d{0, 0, 170})).norm(), 0,
+                  1.5);
+      EXPECT_NEAR(percept_.distanceBySize / size / (ball - Vector3d{0, 0, 170}).norm(), 1, 0.1);
+    }
+  }
+}
+
+TEST_F(BlackWhiteBallTest, IsFoundWhereTheImageCutsItOff) {
+  for (const double y : {-180., 180.}) {
+    const Vector3d ball{360, y, radius};
+    DrawnField scene{-0.25};
+    scene.draw([&](const Vector3d& ray) { return ballAt(ball, {0, 0, 170}, ray); }, 1, 0, random_);
+    look(scene);
+    ASSERT_TRUE(percept_.seen) << y;
+    EXPECT_NEAR(percept_.angle.x(), std::atan2(y, 360), fromDegrees(1.5));
+  }
+}
+
 /// A ball on green ground that ends at the horizon, without noise.
 class BallOnGreen : public BlackWhiteBallTest {
  protected:
