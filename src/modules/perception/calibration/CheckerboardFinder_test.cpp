@@ -99,7 +99,9 @@ TEST_F(CheckerboardTest, OnlyWhereSquaresMeetIsACorner) {
   for (int y = 0; y < image.info.height; ++y)
     for (int x = 0; x < image.info.width; ++x) {
       const bool spot = std::abs(x - 30) < 3 && std::abs(y - 30) < 3;
-      const bool line = std::abs(x + y - 150)<3, edge = x> 120, corner = x > 140 && y > 100;
+      const bool line = std::abs(x + y - 150) < 3;
+      const bool edge = x > 120;
+      const bool corner = x > 140 && y > 100;
       const bool ends = x > 60 && x < 70 && y > 100;
       image.at(x, y).y = spot || line || corner || ends ? 230 : edge ? 130 : 20;
     }
