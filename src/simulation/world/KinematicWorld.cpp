@@ -37,6 +37,9 @@ EnumArray<Joint, FreeMotion> freeMotions() {
 const GroundPoint chest{{66, 0, -12}, 28}, rump{{-82, 0, -38}, 0};
 constexpr double kneeRadius = 14;
 
+/// A faster ball is not where a kick will play it.
+constexpr double slowBall = 100;  // mm/s
+
 Vector2d disc(const Pose2D& pose, double x) {
   return pose.translation + x * direction(pose.rotation);
 }
@@ -160,16 +163,18 @@ void KinematicWorld::kick(std::size_t i, int kick) {
     kicking.kick = kick;
     kicking.ticks = 0;
     kicking.from = robots_[i].pose;
-    plays_[i] = false;
+    kicking.hasStruck = false;
   }
+  plays_[i] = false;
   if (kick < 0 || robots_[i].posture != Posture::standing) return;
   const KickDescription& table = kicks_.kicks[static_cast<std::size_t>(kick)];
   const bool strikes = kicking.ticks++ == static_cast<int>(std::lround(table.strike / tickSeconds));
   for (BallState& ball : balls_) {
     const auto place = table.at(relative(kicking.from, ball.position));
-    if (!place) continue;
-    plays_[i] = true;
-    if (!strikes || kicking.random.uniform() >= place->hits) continue;
+    if (kicking.hasStruck ? ball.lastToucher == static_cast<int>(i)
+                          : place && ball.speed.norm() < slowBall)
+      plays_[i] = true;
+    if (!place || !strikes || kicking.random.uniform() >= place->hits) continue;
     const double length =
         std::max(0., place->length + place->lengthDeviation * kicking.random.gaussian());
     const double angle = place->direction + place->spread * kicking.random.gaussian();
@@ -177,6 +182,8 @@ void KinematicWorld::kick(std::size_t i, int kick) {
                  direction(kicking.from.rotation + fromDegrees(angle));
     ball.lastToucher = static_cast<int>(i);
     ball.lastTouched = time();
+    kicking.hasStruck = true;
+    plays_[i] = true;
   }
 }
 

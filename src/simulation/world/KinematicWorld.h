@@ -53,6 +53,7 @@ class KinematicWorld : public World {
     int kick = -1;
     int ticks = 0;  ///< Since it began.
     Pose2D from;    ///< Where the robot stood then.
+    bool hasStruck = false;
     Random random;
   };
 
@@ -80,7 +81,9 @@ class KinematicWorld : public World {
   std::vector<Walking> walking_;
   KickTable kicks_;
   std::vector<Kicking> kicking_;
-  std::vector<bool> plays_;  ///< Whose kick plays a ball by its table: no part of them touches it.
+  /// Whose kick plays a ball by its table: no part of them touches one that lies there or rolls from
+  /// the strike. One that somebody else has set rolling meets their bodies.
+  std::vector<bool> plays_;
   std::vector<Clearance> clear_;
   std::vector<Vector2d> from_, ways_;  ///< Of each robot in this tick, on the field (mm).
 };

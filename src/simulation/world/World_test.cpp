@@ -90,6 +90,33 @@ TEST(World, KicksPlayTheBallAsTheirTableSays) {
   EXPECT_EQ(world->kickOf(""), -1);
 }
 
+TEST(World, BallsThatOthersKickMeetAKickingRobotAsOneThatStands) {
+  KickTable table;
+  ASSERT_TRUE(readConfig("config/kicks.cfg", table));
+  int touched = 0;
+  for (const KickDescription& kick : table.kicks) {
+    const Pose2D pose{pi / 2, 0, 0};
+    const Vector2d place = pose * Vector2d{kick.x, kick.y}, shoulder = pose * Vector2d{60, 60};
+    const auto shootAt = [&](int kicks) {
+      auto world = worldOf(duelScene(pose, {1000, 0}));
+      run(*world, standingCommand(), 20);
+      RobotCommand command = standingCommand();
+      command.kick = kicks;
+      world->placeBall(0, place);
+      run(*world, command, 5);
+      EXPECT_EQ(world->ball(0).position, place) << kick.motion;
+      world->placeBall(0, place, 800 * (shoulder - place).normalized());
+      run(*world, command, 15);
+      return world;
+    };
+    const auto kicking = shootAt(worldOf(duelScene(pose, {1000, 0}))->kickOf(kick.motion));
+    const auto stands = shootAt(-1);
+    EXPECT_EQ(kicking->ball(0).position, stands->ball(0).position) << kick.motion;
+    touched += kicking->ball(0).lastToucher == 0;
+  }
+  EXPECT_GT(touched, 4);
+}
+
 TEST(World, BadCommandsChangeNothing) {
   const auto world = worldOf(duelScene({}, {1000, 0}));
   run(*world, standingCommand(), 200);
