@@ -57,6 +57,16 @@ TYPED_TEST(BallLocators, FindTheSpeedOfARollingBallWhileTheRobotWalks) {
   EXPECT_LT(speed, 120);
 }
 
+TYPED_TEST(BallLocators, StopABallThatReachesTheRobot) {
+  BallScene<TypeParam> scene;
+  scene.ball = {1200, 80};
+  scene.ballSpeed = {-1000, 0};
+  while (scene.ball.x() > 250) scene.step();
+  for (int i = 0; i < 25; ++i) scene.step({}, {0, 0}, false);
+  EXPECT_GT(scene.model.position.x(), 50);
+  EXPECT_LT(scene.model.position.norm(), 350);
+}
+
 TYPED_TEST(BallLocators, SmoothNoise) {
   Random random{4};
   BallScene<TypeParam> scene;

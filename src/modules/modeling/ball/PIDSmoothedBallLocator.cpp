@@ -39,7 +39,7 @@ void PIDSmoothedBallLocator::update(const BallPercept& percept, const OdometryDa
 void PIDSmoothedBallLocator::predict(const Pose2D& step, double seconds, bool seen) {
   ball_.move(step);
   doubted_ = relative(step, doubted_);
-  ball_.position += ball_.speed * seconds;
+  ball_.roll(seconds);
   ball_.speed *= std::exp(-(seen ? parameters.slowDown : parameters.slowDownUnseen) * seconds);
 }
 

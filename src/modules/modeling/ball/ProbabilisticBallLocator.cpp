@@ -58,7 +58,11 @@ void ProbabilisticBallLocator::predict(const Pose2D& step, double seconds) {
     const double speed = h.state.tail<2>().norm();
     const double slower =
         speed > 0 ? std::max(0., 1 - parameters.deceleration * seconds / speed) : 1;
-    const Vector2d way = h.state.tail<2>() * (seconds * (1 + slower) / 2);
+    Vector2d way = h.state.tail<2>() * (seconds * (1 + slower) / 2);
+    if (meetsBody(h.position(), h.position() + way)) {
+      way.setZero();
+      h.state.tail<2>().setZero();
+    }
     h.state.head<2>() = turn * (h.position() + way - step.translation);
     h.state.tail<2>() = turn * (slower * h.state.tail<2>());
     Covariance transition = Covariance::Zero();
