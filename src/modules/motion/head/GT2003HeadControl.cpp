@@ -176,17 +176,26 @@ void GT2003HeadControl::planScanBesideBall(const Situation& s, const Glance& gla
 }
 
 void GT2003HeadControl::planBallSearch(const Situation& s) {
-  // First where the ball was last, far balls in the upper row, near ones in the lower row.
+  // First where the ball was last: far balls in the upper row, near ones in the lower row.
   const double side = s.ball.position.y() < 0 ? -1 : 1;
   const double far = -0.2 - s.bodyTilt, near = -0.85 - s.bodyTilt;
-  path_.plan(s.measured,
-             {{far, 0.4 * side, 0},
-              {far, widestPan * side, 0},
-              {near, 1.0 * side, 0},
-              {near, -1.0 * side, 0},
-              {far, -widestPan * side, 0},
-              {far, 0, 0}},
-             parameters.ballSearchTime);
+  const auto plan = [&](std::initializer_list<HeadAngles> points) {
+    path_.plan(s.measured, points, parameters.ballSearchTime);
+  };
+  if (s.ball.lastSeen != never() && s.ball.position.norm() < parameters.searchNear)
+    plan({{near, 0.4 * side, 0},
+          {near, widestPan * side, 0},
+          {near, -widestPan * side, 0},
+          {far, -widestPan * side, 0},
+          {far, widestPan * side, 0},
+          {far, 0, 0}});
+  else
+    plan({{far, 0.4 * side, 0},
+          {far, widestPan * side, 0},
+          {near, 1.0 * side, 0},
+          {near, -1.0 * side, 0},
+          {far, -widestPan * side, 0},
+          {far, 0, 0}});
 }
 
 void GT2003HeadControl::planLandmarkSearch(const Situation& s) {

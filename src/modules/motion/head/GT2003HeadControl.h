@@ -26,6 +26,7 @@ class GT2003HeadControl {
     double rollingNear = 1500;
     int ballLostAfter = 400;
     int ballSearchTime = 3000;
+    double searchNear = 500;
     int landmarkSearchTime = 4000;
     double horizonTilt = -0.05;
     double aheadTilt = -0.2;
@@ -48,6 +49,8 @@ class GT2003HeadControl {
                 "time after which a ball that is not where it is looked for is lost", {100, 5000}),
           field("ballSearchTime", &P::ballSearchTime, "ms",
                 "time of one round of searching the ball", {1000, 10000}),
+          field("searchNear", &P::searchNear, "mm",
+                "a ball that was last nearer is searched near first", {0, 10000}),
           field("landmarkSearchTime", &P::landmarkSearchTime, "ms",
                 "time of one round of looking for landmarks", {1000, 10000}),
           field("horizonTilt", &P::horizonTilt, "rad",
