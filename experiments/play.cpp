@@ -46,6 +46,23 @@ Result<Measurement> playBoth(const Job& job, const DataRoot& root) {
   return measured;
 }
 
+/// A goalie without a team against two strikers, for five minutes: what a goalie does about balls
+/// before it tells sooner than by the few goals of matches.
+Result<Measurement> playSiege(const Job& job, const DataRoot& root) {
+  auto match = matchOnScene(job, root, "scenes/siege.scene");
+  if (!match) return match.error();
+  while (!(*match)->finished()) (*match)->step();
+  if (const auto done = (*match)->soundness(); !done) return done.error();
+  Measurement measured;
+  measured.add("play.siege.letIn", "goals", (*match)->summary().blueScore);
+  constexpr std::string_view causes = "red.letIn.";
+  for (const PlayFigure& figure : (*match)->summary().play)
+    if (figure.name.starts_with(causes))
+      measured.add("play.siege.letIn." + figure.name.substr(causes.size()), figure.unit,
+                   figure.value);
+  return measured;
+}
+
 /// A team without opponents.
 Result<Measurement> playAlone(const Job& job, const DataRoot& root) {
   auto match = matchOnScene(job, root, "scenes/no-opponents.scene");
@@ -118,6 +135,8 @@ Experiments playExperiments() {
   return {experiment("play.match", "How two teams play: what becomes of kicks, roles, penalties",
                      withValues<playBoth>,
                      {{"minutes", "both halves together", Parameter::Kind::number, {"10"}}}),
+          experiment("play.siege", "How many goals a goalie alone lets in against two strikers",
+                     withValues<playSiege>),
           experiment("play.alone", "How often a team without opponents scores in ten minutes",
                      withValues<playAlone>),
           experiment("play.striker", "How soon a striker alone scores, from anywhere",

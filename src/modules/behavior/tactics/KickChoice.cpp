@@ -103,7 +103,7 @@ void KickChoice::decide(std::int64_t unseen) {
   const double waited = static_cast<double>(time - atBallSince_) / 1000;
   const Plan possible = worthNow(begun);
   const double enough =
-      plan_.worth - p_.enough - p_.impatience * waited - (stopping ? p_.otherPlan : 0);
+      plan_.worth - haste().enough - haste().impatience * waited - (stopping ? p_.otherPlan : 0);
   if (possible.motion == 0 || possible.worth < enough) return;
   now_ = possible.motion;
   target_ = ballOnField_ + direction(possible.direction) * p_.follows;
@@ -348,8 +348,8 @@ double KickChoice::timeTo(const KickDescription& kick, double kickAngle,
 /// Whether a kick does about what it can with a ball at a place, or a share of what is demanded.
 bool KickChoice::isSure(const KickDescription& kick, const Vector2d& place, double demand) const {
   const auto at = kick.at(place);
-  return at && at->hits >= demand * p_.reliable && at->length >= demand * p_.strong * kick.length &&
-         demand * at->spread <= p_.accurate;
+  return at && at->hits >= demand * haste().reliable &&
+         at->length >= demand * haste().strong * kick.length && demand * at->spread <= p_.accurate;
 }
 
 /// Whether a robot that stands behind the ball and faces a direction has room between the walls, a
@@ -357,7 +357,7 @@ bool KickChoice::isSure(const KickDescription& kick, const Vector2d& place, doub
 bool KickChoice::hasRoom(const Facing& facing) const {
   const FieldDimensions& field = world_->field;
   const Vector2d back = ballOnField_ - facing.along * p_.bodyLength;
-  if (world_->player.role == PlayerRole::goalie) {
+  if (isGoalie()) {
     if (back.x() < 0 && back.x() > p_.wallClearance - field.xGoalBack &&
         std::abs(back.y()) < field.yGoal - p_.wallClearance)
       return true;
@@ -378,7 +378,6 @@ void KickChoice::choosePlan() {
     return motion == before.motion && std::abs(normalize(facing - before.facing)) < step / 2;
   };
   const bool needsRoom = std::ranges::any_of(facings_, &Facing::hasRoom);
-  const bool isGoalie = world_->player.role == PlayerRole::goalie;
   const double ballAngle = angleOf(ball_);
   plan_ = {};
   plan_.worth = -1e9;
@@ -393,14 +392,14 @@ void KickChoice::choosePlan() {
       const Facing& there = facings_[turned];
       if (needsRoom && !there.hasRoom) continue;
       const double most =
-          std::max(imagined[turned], stays_) - p_.second * kick.seconds + p_.otherPlan;
+          std::max(imagined[turned], stays_) - haste().second * kick.seconds + p_.otherPlan;
       if (most <= plan_.worth) continue;
       const double way = timeTo(kick, kickAngle, there);
       double worth = worthIn(way + kick.strike, imagined[turned]) -
-                     p_.second * (way + kick.seconds) +
+                     haste().second * (way + kick.seconds) +
                      (isSame(motion, there.angle) ? p_.otherPlan : 0);
       if (worth <= plan_.worth) continue;
-      if (isGoalie && ownGoals(kicked, turned) > p_.ownGoalRisk) worth += ownGoal;
+      if (isGoalie() && ownGoals(kicked, turned) > p_.ownGoalRisk) worth += ownGoal;
       if (worth > plan_.worth)
         plan_ = {motion, normalize(there.angle + fromDegrees(kick.direction)), there.angle, worth};
     }
@@ -418,7 +417,6 @@ KickChoice::Plan KickChoice::worthNow(int begun) {
       walks ? Pose2D{walk.rotation * p_.stopping, walk.translation * p_.stopping} : Pose2D{};
   const Vector2d ball = relative(stops, ball_);
   const double facing = world_->self.pose.rotation + stops.rotation;
-  const bool isGoalie = world_->player.role == PlayerRole::goalie;
   Plan best;
   best.worth = -1e9;
   for (int i = 1; i < static_cast<int>(world_->motions.motions.size()); ++i) {
@@ -428,9 +426,9 @@ KickChoice::Plan KickChoice::worthNow(int begun) {
     const double demand = i == begun ? p_.holds : 1;
     if (!isSure(kick, ball, demand) || !isSure(kick, ball_, demand)) continue;
     imagine(about(kick, ball), facing, imagined_);
-    if (isGoalie && ownGoals(imagined_, 0) > p_.ownGoalRisk) continue;
+    if (isGoalie() && ownGoals(imagined_, 0) > p_.ownGoalRisk) continue;
     const double worth =
-        worthIn(kick.strike, worthTurned<1>(imagined_).front()) - p_.second * kick.seconds;
+        worthIn(kick.strike, worthTurned<1>(imagined_).front()) - haste().second * kick.seconds;
     if (worth > best.worth)
       best = {i, normalize(facing + fromDegrees(kick.at(ball)->direction)), facing, worth};
   }

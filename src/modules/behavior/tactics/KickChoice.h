@@ -17,6 +17,28 @@ namespace gt {
 /// farther away the ball is, the longer a plan lasts.
 class KickChoice {
  public:
+  /// What a second costs, and what is good enough.
+  struct Haste {
+    double second = 0.03;
+    double enough = 0;
+    double impatience = 0.01;
+    double reliable = 0.9;
+    double strong = 0.5;
+
+    static constexpr auto fields() {
+      using H = Haste;
+      return Fields{
+          field("second", &H::second, "", "cost of a second until the ball is on its way", {0, 1}),
+          field("enough", &H::enough, "", "by how much a kick may be worse than the plan", {0, 1}),
+          field("impatience", &H::impatience, "", "by how much more with each second at the ball",
+                {0, 1}),
+          field("reliable", &H::reliable, "",
+                "share of the balls that a kick moves from where the ball lies", {0, 1}),
+          field("strong", &H::strong, "",
+                "how far it moves them from there, as a share of the way from its best place",
+                {0, 1})};
+    }
+  };
   struct Parameters {
     // What an end of the ball is worth; a goal is worth 1.
     double ahead = 0.1;
@@ -25,8 +47,9 @@ class KickChoice {
     double opponentFar = 1200;
     double widestGoal = 1;
     double blocked = 0.25;
-    // What a second costs.
-    double second = 0.03;
+    // A goalie's ball lies before its goal.
+    Haste fieldPlayer;
+    Haste goalie{.second = 0.15, .enough = 0.15, .impatience = 0.1, .reliable = 0.7, .strong = 0.3};
     // An opponent that comes to the ball.
     double opponentSpeed = 200;
     double opponentReach = 200;
@@ -36,17 +59,13 @@ class KickChoice {
     double walkSpeed = 230;
     double turnSpeed = 90;
     double aroundSpeed = 60;
-    // What is good enough.
+    // At the ball.
     double aim = 5;
     double sees = 4;
-    double enough = 0;
-    double impatience = 0.01;
     double nearBall = 350;
     double stopping = 0.08;
     double misplaced = 10;
     double follows = 1500;
-    double reliable = 0.9;
-    double strong = 0.5;
     double accurate = 20;
     double holds = 0.7;
     double mostFalls = 0.02;
@@ -81,7 +100,8 @@ class KickChoice {
           field("opponentFar", &P::opponentFar, "mm", "distance of opponents that nobody knows of",
                 {0, 5000}),
           field("blocked", &P::blocked, "", "cost of a ball that somebody stops", {0, 1}),
-          field("second", &P::second, "", "cost of a second until the ball is on its way", {0, 1}),
+          field("fieldPlayer", &P::fieldPlayer, "", "how soon field players kick"),
+          field("goalie", &P::goalie, "", "how soon a goalie does"),
           field("opponentSpeed", &P::opponentSpeed, "mm/s", "of one that comes to the ball",
                 {10, 1000}),
           field("opponentReach", &P::opponentReach, "mm",
@@ -97,10 +117,7 @@ class KickChoice {
           field("aim", &P::aim, "degree", "how far the robot faces elsewhere than planned",
                 {0, 90}),
           field("sees", &P::sees, "degree", "how far the ball lies elsewhere than seen", {0, 90}),
-          field("enough", &P::enough, "", "by how much a kick may be worse than the plan", {0, 1}),
-          field("impatience", &P::impatience, "", "by how much more with each second at the ball",
-                {0, 1}),
-          field("nearBall", &P::nearBall, "mm", "how near that is", {0, 1000}),
+          field("nearBall", &P::nearBall, "mm", "how near it a robot is at the ball", {0, 1000}),
           field("stopping", &P::stopping, "s",
                 "so long the robot goes on walking until it begins to kick", {0, 1}),
           field("misplaced", &P::misplaced, "mm",
@@ -108,15 +125,11 @@ class KickChoice {
           field("follows", &P::follows, "mm",
                 "so far off a kicked ball is looked for in the direction in which it went",
                 {0, 5000}),
-          field("reliable", &P::reliable, "",
-                "share of the balls that a kick moves from where the ball lies", {0, 1}),
-          field("strong", &P::strong, "",
-                "how far it moves them from there, as a share of the way from its best place",
-                {0, 1}),
-          field("accurate", &P::accurate, "degree", "how far they spread from there at most",
-                {0, 180}),
+          field("accurate", &P::accurate, "degree",
+                "how far the balls of a kick spread from where the ball lies, at most", {0, 180}),
           field("holds", &P::holds, "",
-                "share of these three demands that is enough for a kick that is about to begin",
+                "share of reliable, strong and accurate that is enough for a kick that is about to "
+                "begin",
                 {0.1, 1}),
           field("mostFalls", &P::mostFalls, "", "share of falls after which a kick is not used",
                 {0, 1}),
@@ -252,6 +265,9 @@ class KickChoice {
   Plan worthNow(int begun);
   bool hasRoom(const Facing& facing) const;
   void look(const ObstaclesModel& obstacles);
+
+  bool isGoalie() const { return world_->player.role == PlayerRole::goalie; }
+  const Haste& haste() const { return isGoalie() ? p_.goalie : p_.fieldPlayer; }
 
   const Parameters& p_;
   const WorldState* world_ = nullptr;

@@ -115,7 +115,7 @@ TEST_F(KickChoiceTest, AGoalieTakesNoKickThatMayEndInItsOwnGoal) {
     world.self.pose = {facing, ball - rotated({150, 0}, facing)};
     return choose().now() != 0;
   };
-  parameters.enough = 1;  // any kick will do
+  parameters.fieldPlayer.enough = 1;  // any kick will do
   EXPECT_FALSE(kicksFacing(past));
   EXPECT_TRUE(kicksFacing(away));
   world.player.role = PlayerRole::striker1;
@@ -269,7 +269,7 @@ TEST_F(KickChoiceTest, DoesNotGiveAKickUpForNoise) {
   world.motions.motions.resize(2);
   EXPECT_EQ(choose().now(), ahead);
   for (auto& place : world.motions.motions[1].kick.places)
-    place[5] = 0.8 * parameters.strong * world.motions.motions[1].kick.length;
+    place[5] = 0.8 * parameters.fieldPlayer.strong * world.motions.motions[1].kick.length;
   EXPECT_EQ(choose().now(), ahead) << "it is about to begin";
   choice.emplace(parameters);
   EXPECT_EQ(choose().now(), 0) << "it would not be begun now";
@@ -286,14 +286,21 @@ TEST_F(KickChoiceTest, ChoosesAnewUntilTheKickBegins) {
   EXPECT_EQ(choose().now(), 0) << "from there no kick is good";
 }
 
-TEST_F(KickChoiceTest, LosesItsPatience) {
-  parameters.impatience = 0.03;
-  world.self.pose = {fromDegrees(25), ball - rotated({150, 0}, fromDegrees(25))};
+TEST_F(KickChoiceTest, LosesItsPatienceAGoalieSooner) {
+  parameters.fieldPlayer.impatience = 0.03;
   world.motions.motions.resize(2);
-  int cycles = 0;
-  for (; cycles < 2000 && choose().now() == 0; ++cycles) world.frame.time = world.frame.time + 40;
-  EXPECT_GT(cycles, 20);
-  EXPECT_LT(cycles, 2000);
+  const auto cyclesAs = [this](PlayerRole role) {
+    world.player.role = role;
+    choice.emplace(parameters);
+    world.self.pose = {fromDegrees(25), ball - rotated({150, 0}, fromDegrees(25))};
+    int cycles = 0;
+    for (; cycles < 2000 && choose().now() == 0; ++cycles) world.frame.time = world.frame.time + 40;
+    return cycles;
+  };
+  const int patient = cyclesAs(PlayerRole::striker1);
+  EXPECT_GT(patient, 20);
+  EXPECT_LT(patient, 2000);
+  EXPECT_LT(cyclesAs(PlayerRole::goalie), patient / 2);
 }
 
 TEST_F(KickChoiceTest, DoesNotChangeItsMindForNoise) {
@@ -317,7 +324,7 @@ TEST_F(KickChoiceTest, DoesNotChangeItsMindForNoise) {
 TEST_F(KickChoiceTest, CountsAWideGoalAsOneOfTheWidth) {
   for (const double widest : {0.3, 1., 2., 3.2}) {
     parameters.widestGoal = widest;
-    parameters.ahead = parameters.possession = parameters.second = 0;
+    parameters.ahead = parameters.possession = parameters.fieldPlayer.second = 0;
     parameters.shot = 0.1;
     for (const double x : {500., 1500., 1900.})
       for (const double y : {0., 400., 900.}) {
