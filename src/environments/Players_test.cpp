@@ -129,7 +129,7 @@ TEST(Approach, ObservesBeliefsThatAreNotTheTruthButNearIt) {
 TEST(Penalty, IsScoredByTheSkillOfTheRobots) {
   const auto all = environmentsOf("Penalty", "skills");
   double goals = 0, ball = 0;
-  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const auto sums = sumsOfEpisode(*all, seed, [&] { return choosing(*all, "handle_ball"); });
     EXPECT_EQ(all->terminated()[0], sums.at("goal") != 0);
     goals += sums.at("goal") / 5;
