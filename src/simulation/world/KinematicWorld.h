@@ -81,8 +81,8 @@ class KinematicWorld : public World {
   std::vector<Walking> walking_;
   KickTable kicks_;
   std::vector<Kicking> kicking_;
-  /// Whose kick plays a ball by its table: no part of them touches one that lies there or rolls from
-  /// the strike. One that somebody else has set rolling meets their bodies.
+  /// Whose kick plays a ball by its table: no part of them touches one that lies there or rolls
+  /// from the strike. One that somebody else has set rolling meets their bodies.
   std::vector<bool> plays_;
   std::vector<Clearance> clear_;
   std::vector<Vector2d> from_, ways_;  ///< Of each robot in this tick, on the field (mm).

@@ -6,8 +6,8 @@
 
 namespace gt {
 
-/// Whether a ball that rolls on a short way (mm, relative to the robot) is stopped by the robot's own
-/// body: it bounces off or lies at it, unseen below the head, but does not roll through.
+/// Whether a ball that rolls on a short way (mm, relative to the robot) is stopped by the robot's
+/// own body: it bounces off or lies at it, unseen below the head, but does not roll through.
 inline bool meetsBody(const Vector2d& from, const Vector2d& to) {
   constexpr double ballRadius = 43;
   const double distance = RobotFootprint::distanceTo(to);
