@@ -47,7 +47,7 @@ class KickChoice {
     double opponentFar = 1200;
     double widestGoal = 1;
     double blocked = 0.25;
-    // A goalie's ball lies before its goal.
+    // A goalie hurries: its ball lies before its goal.
     Haste fieldPlayer;
     Haste goalie{.second = 0.15, .enough = 0.15, .impatience = 0.1, .reliable = 0.7, .strong = 0.3};
     // An opponent that comes to the ball.

@@ -3,6 +3,7 @@
 
 #include "base/Random.h"
 #include "modules/modeling/ball/BallChallengeBallLocator.h"
+#include "modules/modeling/ball/PIDSmoothedBallLocator.h"
 #include "modules/modeling/ball/ProbabilisticBallLocator.h"
 #include "modules/modeling/testing/BallScene.h"
 #include "support/TestAllocations.h"
@@ -14,6 +15,12 @@ template <typename Locator>
 class BallLocators : public ::testing::Test {};
 using Locators = ::testing::Types<BallChallengeBallLocator, ProbabilisticBallLocator>;
 TYPED_TEST_SUITE(BallLocators, Locators);
+
+template <typename Locator>
+class AllBallLocators : public ::testing::Test {};
+using AllLocators =
+    ::testing::Types<BallChallengeBallLocator, PIDSmoothedBallLocator, ProbabilisticBallLocator>;
+TYPED_TEST_SUITE(AllBallLocators, AllLocators);
 
 TYPED_TEST(BallLocators, ABallNeverSeenWasNeverSeen) {
   BallScene<TypeParam> scene;
@@ -57,7 +64,7 @@ TYPED_TEST(BallLocators, FindTheSpeedOfARollingBallWhileTheRobotWalks) {
   EXPECT_LT(speed, 120);
 }
 
-TYPED_TEST(BallLocators, StopABallThatReachesTheRobot) {
+TYPED_TEST(AllBallLocators, StopABallThatReachesTheRobot) {
   BallScene<TypeParam> scene;
   scene.ball = {1200, 80};
   scene.ballSpeed = {-1000, 0};

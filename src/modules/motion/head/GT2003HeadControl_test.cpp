@@ -168,6 +168,17 @@ TEST(GT2003HeadControl, SearchForBallFindsItWhereverItLies) {
   }
 }
 
+TEST(GT2003HeadControl, SearchesABallThatWasNearAmongNearPlacesFirst) {
+  const auto tiltInSearchOf = [](const Vector2d& ball) {
+    Head head{HeadMode::searchForBall};
+    head.frames(500, ball);
+    head.frames(100);  // it is gone, and lost after 400 ms
+    return head.request.tilt;
+  };
+  EXPECT_LT(tiltInSearchOf({450, 100}), -0.7);
+  EXPECT_GT(tiltInSearchOf({550, 100}), -0.4);
+}
+
 TEST(GT2003HeadControl, SearchAutoScansBesideTheBallToBothSidesInTurn) {
   Head head{HeadMode::searchAuto};
   const Vector2d ball{700, 50};
