@@ -118,6 +118,7 @@ HeadAngles GT2003HeadControl::searchForBall(const Situation& s) {
     enter(State::lookAtBall, s.now);
     return s.ballAngles;
   }
+  if (state_ != State::searchForBall) searchesNear_ = false;
   if (state_ != State::searchForBall || path_.finished()) planBallSearch(s);
   enter(State::searchForBall, s.now);
   return path_.next();
@@ -179,23 +180,28 @@ void GT2003HeadControl::planBallSearch(const Situation& s) {
   // First where the ball was last: far balls in the upper row, near ones in the lower row.
   const double side = s.ball.position.y() < 0 ? -1 : 1;
   const double far = -0.2 - s.bodyTilt, near = -0.85 - s.bodyTilt;
-  const auto plan = [&](std::initializer_list<HeadAngles> points) {
-    path_.plan(s.measured, points, parameters.ballSearchTime);
-  };
-  if (s.ball.lastSeen != never() && s.ball.position.norm() < parameters.searchNear)
-    plan({{near, 0.4 * side, 0},
-          {near, widestPan * side, 0},
-          {near, -widestPan * side, 0},
-          {far, -widestPan * side, 0},
-          {far, widestPan * side, 0},
-          {far, 0, 0}});
-  else
-    plan({{far, 0.4 * side, 0},
-          {far, widestPan * side, 0},
-          {near, 1.0 * side, 0},
-          {near, -1.0 * side, 0},
-          {far, -widestPan * side, 0},
-          {far, 0, 0}});
+  const bool wasNear = s.ball.lastSeen != never() && s.ball.position.norm() < parameters.searchNear;
+  searchesNear_ = wasNear && !searchesNear_;
+  if (searchesNear_) {
+    // At the chest and at the paws, then around them. It may be gone: the next round is for all.
+    const double low = -1.2 - s.bodyTilt, around = -0.6 - s.bodyTilt;
+    path_.plan(s.measured,
+               {{low, 0.4 * side, 0},
+                {low, 1.2 * side, 0},
+                {low, -1.2 * side, 0},
+                {around, -widestPan * side, 0},
+                {around, widestPan * side, 0}},
+               parameters.nearSearchTime);
+  } else {
+    path_.plan(s.measured,
+               {{far, 0.4 * side, 0},
+                {far, widestPan * side, 0},
+                {near, 1.0 * side, 0},
+                {near, -1.0 * side, 0},
+                {far, -widestPan * side, 0},
+                {far, 0, 0}},
+               parameters.ballSearchTime);
+  }
 }
 
 void GT2003HeadControl::planLandmarkSearch(const Situation& s) {

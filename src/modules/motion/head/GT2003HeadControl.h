@@ -27,6 +27,7 @@ class GT2003HeadControl {
     int ballLostAfter = 400;
     int ballSearchTime = 3000;
     double searchNear = 500;
+    int nearSearchTime = 2300;
     int landmarkSearchTime = 4000;
     double horizonTilt = -0.05;
     double aheadTilt = -0.2;
@@ -50,7 +51,9 @@ class GT2003HeadControl {
           field("ballSearchTime", &P::ballSearchTime, "ms",
                 "time of one round of searching the ball", {1000, 10000}),
           field("searchNear", &P::searchNear, "mm",
-                "a ball that was last nearer is searched near first", {0, 10000}),
+                "a ball that was last nearer is searched near first, then in every other round",
+                {0, 10000}),
+          field("nearSearchTime", &P::nearSearchTime, "ms", "time of such a round", {1000, 10000}),
           field("landmarkSearchTime", &P::landmarkSearchTime, "ms",
                 "time of one round of looking for landmarks", {1000, 10000}),
           field("horizonTilt", &P::horizonTilt, "rad",
@@ -123,6 +126,7 @@ class GT2003HeadControl {
   State state_ = State::idle;
   Time entered_;
   bool scanLeft_ = true;  ///< The side that is scanned next.
+  bool searchesNear_ = false;
   HeadAngles head_;
   HeadPathPlanner path_;
   double scanTilt_ = 0, scanRange_ = 0;  ///< What the path from left to right was planned for.

@@ -179,6 +179,25 @@ TEST(GT2003HeadControl, SearchesABallThatWasNearAmongNearPlacesFirst) {
   EXPECT_GT(tiltInSearchOf({550, 100}), -0.4);
 }
 
+TEST(GT2003HeadControl, FindsABallThatWasNearAtItsChestAtItsPawsAndFarAway) {
+  const auto framesUntilFound = [](const Vector2d& ball) {
+    Head head{HeadMode::searchForBall};
+    head.frames(500, Vector2d{300, 150});
+    head.frames(50);  // it is gone, and lost after 400 ms
+    int frames = 0;
+    while (head.ball.consecutiveTimeSeen == 0 && frames < 1000) {
+      head.frameWith(ball);
+      ++frames;
+    }
+    return frames;
+  };
+  EXPECT_LT(framesUntilFound({150, 0}), 150);
+  EXPECT_LT(framesUntilFound({150, 120}), 150);
+  EXPECT_LT(framesUntilFound({180, -130}), 250);
+  EXPECT_LT(framesUntilFound({900, -300}), 500);
+  EXPECT_LT(framesUntilFound({1500, 1000}), 600);
+}
+
 TEST(GT2003HeadControl, SearchAutoScansBesideTheBallToBothSidesInTurn) {
   Head head{HeadMode::searchAuto};
   const Vector2d ball{700, 50};
