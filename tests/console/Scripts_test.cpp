@@ -64,7 +64,8 @@ TEST(Scripts, LeadRobotsThroughAGame) {
   for (const auto& [scene, script] : {std::pair{"no-opponents", "by-buttons"},
                                       {"match", "match-by-buttons"},
                                       {"match", "cheers"},
-                                      {"no-opponents", "leave-field"}}) {
+                                      {"no-opponents", "leave-field"},
+                                      {"one-robot", "crouch"}}) {
     TextScreen screen;
     const auto done = runScript("scenes/" + std::string{scene} + ".scene",
                                 "tests/console/game/" + std::string{script} + ".con", screen);
