@@ -177,13 +177,13 @@ void GT2003HeadControl::planScanBesideBall(const Situation& s, const Glance& gla
 }
 
 void GT2003HeadControl::planBallSearch(const Situation& s) {
-  // First where the ball was last: far balls in the upper row, near ones in the lower row.
+  // First on the side on which the ball was last.
   const double side = s.ball.position.y() < 0 ? -1 : 1;
   const double far = -0.2 - s.bodyTilt, near = -0.85 - s.bodyTilt;
   const bool wasNear = s.ball.lastSeen != never() && s.ball.position.norm() < parameters.searchNear;
   searchesNear_ = wasNear && !searchesNear_;
   if (searchesNear_) {
-    // At the chest and at the paws, then around them. It may be gone: the next round is for all.
+    // At the chest and the paws, then around them; if it is gone, the next round is for all.
     const double low = -1.2 - s.bodyTilt, around = -0.6 - s.bodyTilt;
     path_.plan(s.measured,
                {{low, 0.4 * side, 0},

@@ -125,8 +125,8 @@ class GT2003HeadControl {
 
   State state_ = State::idle;
   Time entered_;
-  bool scanLeft_ = true;  ///< The side that is scanned next.
-  bool searchesNear_ = false;
+  bool scanLeft_ = true;       ///< The side that is scanned next.
+  bool searchesNear_ = false;  ///< In this round of searching the ball.
   HeadAngles head_;
   HeadPathPlanner path_;
   double scanTilt_ = 0, scanRange_ = 0;  ///< What the path from left to right was planned for.
