@@ -20,9 +20,9 @@ const Experiments& experiments() {
     for (const auto& experiment : calibrationExperiments()) list.push_back(experiment);
     for (const auto& experiment :
          {fidelityExperiment(), goalieExperiment(), showExperiment(), kickExperiment(),
-          kickTableExperiment(), grabExperiment(), matchExperiment(), soakExperiment(),
-          visionExperiment(), visionPlayExperiment(), visionSightExperiment(),
-          collisionExperiment(), worldModelExperiment(), rollingExperiment()})
+          grabExperiment(), matchExperiment(), soakExperiment(), visionExperiment(),
+          visionPlayExperiment(), visionSightExperiment(), collisionExperiment(),
+          worldModelExperiment(), rollingExperiment()})
       list.push_back(experiment);
     std::ranges::sort(list, {}, &Experiment::name);
     return list;

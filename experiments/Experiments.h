@@ -42,7 +42,6 @@ Experiments headExperiments();
 Experiments challengeExperiments();
 /// What the kicks do, with balls anywhere where they reach them.
 Experiment kickExperiment();
-Experiment kickTableExperiment();
 /// Whether a robot grabs the ball, turns with it and kicks it.
 Experiment grabExperiment();
 /// Whether robots stay on their feet during the special actions that are no kicks, or get up after
@@ -74,5 +73,9 @@ Result<void> calibrateCollisions(const std::vector<std::uint64_t>& seeds, const 
 /// Writes how bodies lean on legs that give, fitted to the walks as they are now.
 Result<void> calibratePosture(const std::vector<std::uint64_t>& seeds, const DataRoot& root,
                               unsigned threads);
+/// Measures what kicks of a team, or all of them, do with balls around them, and writes its table;
+/// of the project, if the team has nothing of its own.
+Result<void> calibrateKicks(const std::vector<std::string>& kicks, const std::string& team,
+                            const DataRoot& root, unsigned threads);
 
 }  // namespace gt

@@ -2,7 +2,6 @@
 // robot.
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numeric>
 #include <utility>
 
@@ -11,93 +10,13 @@
 #include "Profiles.h"
 #include "Teams.h"
 #include "base/Statistics.h"
-#include "measure/worlds/MovedRobot.h"
+#include "measure/worlds/KickTables.h"
+#include "modules/motion/specialactions/MotionNetLoader.h"
 #include "representations/motion/KickTable.h"
 #include "streams/Config.h"
 
 namespace gt {
 namespace {
-
-/// What one kick did.
-struct Kicked {
-  Vector2d way = Vector2d::Zero();  ///< mm, of the ball, in the robot's system before the kick
-  double seconds = 0;               ///< from the request until the robot stands
-  double strike = 0;                ///< until the ball is fastest
-  Pose2D moved;                     ///< of the robot
-  bool fell = false;
-  bool overlaps = false;  ///< There is no room for the ball: the robot stands there.
-  double byHead = 0;      ///< Share of the ball's speed that it gained where the head alone pushed.
-};
-
-/// Whether the robot's head touches the ball, and no other part of it.
-bool touchesByHeadAlone(const World& world) {
-  const RobotParts& parts = world.parts(0);
-  bool byHead = false;
-  for (int i = 0; i < world.data().ncon; ++i) {
-    const mjContact& contact = world.data().contact[i];
-    const int first = world.model().geom_bodyid[contact.geom1];
-    const int second = world.model().geom_bodyid[contact.geom2];
-    if (first != world.ballBody(0) && second != world.ballBody(0)) continue;
-    const int other = first == world.ballBody(0) ? second : first;
-    const bool ofRobot = world.model().body_rootid[other] == parts.body;
-    if (ofRobot && other != parts.headBody) return false;
-    byHead |= ofRobot;
-  }
-  return byHead;
-}
-
-/// A robot in the middle of the field faces anywhere, walks some steps as it does on its way to a
-/// ball, and is asked for the kick; the ball is put down as the kick begins. When the robot stands
-/// again, the ball rolls, and no wall has stopped it yet: from there its way is calculated.
-Kicked kick(MovedRobot& robot, const std::string& name, const Vector2d& place, Random& random) {
-  robot.request = {};
-  robot.world().placeBall(0, {1900, 1200});
-  robot.world().placeRobot(0, {pi * random.symmetric(), 0, 0});
-  robot.run(0.6);
-  robot.request.type = MotionType::walk;
-  robot.request.walk = {0.5 * random.symmetric(), 100 * random.uniform(), 60 * random.symmetric()};
-  robot.run(1 + 0.5 * random.uniform());
-  robot.request = {};
-  robot.request.type = MotionType::specialAction;
-  robot.request.specialAction = name;
-  constexpr double longest = 8;  // s
-  double waited = 0;
-  for (; robot.motion().executed.specialAction != name && waited < longest; waited += tickSeconds)
-    robot.step();
-  const Pose2D from = robot.body().pose;
-  robot.world().placeBall(0, from * place);
-  Kicked kicked;
-  robot.step();
-  constexpr double pushed = 30;  // mm/s
-  kicked.overlaps = robot.world().ball(0).speed.norm() > pushed;
-  if (kicked.overlaps) return kicked;
-  double fastest = 0, gained = 0, before = 0;  // mm/s
-  const auto step = [&] {
-    robot.step();
-    kicked.seconds += tickSeconds;
-    const double speed = robot.world().ball(0).speed.norm();
-    const double gain = std::max(0., speed - std::exchange(before, speed));
-    gained += gain;
-    if (touchesByHeadAlone(robot.world())) kicked.byHead += gain;
-    if (speed > fastest) kicked.strike = kicked.seconds;
-    fastest = std::max(fastest, speed);
-  };
-  robot.request = {};
-  while (robot.motion().executed.type == MotionType::specialAction && kicked.seconds < longest)
-    step();
-  if (gained > 0) kicked.byHead /= gained;
-  kicked.moved = robot.body().pose.relativeTo(from);
-  const BallState& ball = robot.world().ball(0);
-  const double slowing = robot.simulation().scene().physics.deceleration;
-  const Vector2d rolls = ball.speed * ball.speed.norm() / (2 * slowing);
-  kicked.way = relative(from, Vector2d{ball.position + rolls}) - place;
-  // What rolls over on purpose stands again now; others fall only when they stand again.
-  for (double after = 0; after < 1; after += tickSeconds) {
-    robot.step();
-    kicked.fell |= robot.hasFallen();
-  }
-  return kicked;
-}
 
 /// What a kick is measured for: balls around a place (mm) that shall go in a direction (degrees).
 struct KickAim {
@@ -110,14 +29,32 @@ Vector2d somewhere(const KickAim& aim, Random& random) {
   return {aim.x + aim.window * random.symmetric(), aim.y + aim.window * random.symmetric()};
 }
 
+/// By how much a motion asks joints for more speed than is recommended, from line to line (%).
+double hasteOf(const MotionNet& net, int motion) {
+  double most = 0;
+  const MotionNet::Node* before = nullptr;
+  for (const MotionNet::Node& node : net.nodes) {
+    if (node.kind != MotionNodeKind::data || node.motion != motion) continue;
+    for (std::size_t j = 0; before && j < MotionNet::jointCount; ++j) {
+      if (node.dontCare[j] || before->dontCare[j]) continue;
+      const double seconds = tickSeconds * (node.interpolate ? node.frames : 1);
+      const double speed = std::abs(node.angles[j] - before->angles[j]) / seconds;
+      most = std::max(most, 100 * (speed / limitsOf(static_cast<Joint>(j)).speed - 1));
+    }
+    before = &node;
+  }
+  return most;
+}
+
 void measure(MovedRobot& robot, const std::string& motion, const KickAim& aim, int balls,
              Random& random, Measurement& measurement) {
   std::vector<double> lengths, astray, seconds;
   int falls = 0, missed = 0;
   double moved = 0, turned = 0, ahead = 0, byHead = 0;
+  Vector2d movedAlong = Vector2d::Zero();
   for (int i = 0; i < balls; ++i) {
     const Vector2d place = somewhere(aim, random);
-    const Kicked kicked = kick(robot, motion, place, random);
+    const KickTrial kicked = tryKick(robot, motion, place, random);
     const double length = kicked.way.norm();
     constexpr double touched = 50;  // mm
     lengths.push_back(length);
@@ -125,6 +62,7 @@ void measure(MovedRobot& robot, const std::string& motion, const KickAim& aim, i
     falls += kicked.fell;
     ahead += kicked.way.dot(direction(fromDegrees(aim.direction))) / balls;
     moved += kicked.moved.translation.norm() / balls;
+    movedAlong += kicked.moved.translation / balls;
     turned += toDegrees(kicked.moved.rotation) / balls;
     byHead += kicked.byHead / balls;
     if (length > touched)
@@ -143,6 +81,8 @@ void measure(MovedRobot& robot, const std::string& motion, const KickAim& aim, i
       Fidelity::dynamic)  // In the other one nothing touches.
     measurement.add(name + ".byHead", "%", 100 * byHead);
   measurement.add(name + ".robot.moved", "mm", moved);
+  measurement.add(name + ".robot.x", "mm", movedAlong.x());
+  measurement.add(name + ".robot.y", "mm", movedAlong.y());
   measurement.add(name + ".robot.turned", "deg", turned);
   if (astray.empty()) return;
   // From the direction that the kick shall have: how one robot differs from another counts, too.
@@ -182,16 +122,6 @@ class KickFiles {
   ConfigurationPaths paths_;
 };
 
-/// The kicks of a folder of motion descriptions: those in its folder kicks/.
-std::vector<std::string> kicksIn(const std::string& motions) {
-  std::vector<std::string> names;
-  std::error_code failed;  // then there are none
-  for (const auto& entry : std::filesystem::directory_iterator{motions + "/kicks", failed})
-    if (entry.path().extension() == ".mof") names.push_back(entry.path().stem().string());
-  std::ranges::sort(names);
-  return names;
-}
-
 /// A robot that stands and shall kick.
 struct Kicker {
   KickFiles files;
@@ -217,6 +147,8 @@ Result<Measurement> kickAll(const Job& job, const DataRoot& root) {
   const auto made = Kicker::make(job, root);
   if (!made) return made.error();
   const auto& [files, table, robot] = *made;
+  const auto net = loadMotionNet(files.motions());
+  if (!net) return files.named(net.error());
   Measurement measurement;
   const std::string& only = job.parameter("kick");
   for (const std::string& name : kicksIn(files.motions())) {
@@ -232,67 +164,8 @@ Result<Measurement> kickAll(const Job& job, const DataRoot& root) {
          {std::pair{"x", &aim.x}, {"y", &aim.y}, {"direction", &aim.direction}})
       if (job.parameter(parameter) != "table") *number = job.number(parameter);
     measure(*robot, name, aim, static_cast<int>(job.number("balls")), random, measurement);
-  }
-  if (measurement.values.empty()) return Error{.field = only, .what = "is no kick"};
-  return measurement;
-}
-
-/// Places before a robot, in mm.
-struct Grid {
-  int step, nearest, farthest;
-};
-
-/// Balls at all places of a grid, one each.
-void measurePlaces(MovedRobot& robot, const std::string& motion, const Grid& grid, Random& random,
-                   Measurement& measurement) {
-  constexpr int widest = 180;  // mm
-  double seconds = 0, x = 0, y = 0, turned = 0;
-  int kicks = 0;
-  std::vector<double> strikes;
-  const std::string name = "kicks." + motion;
-  for (int ahead = grid.nearest; ahead <= grid.farthest; ahead += grid.step)
-    for (int left = -widest; left <= widest; left += grid.step) {
-      const Kicked kicked = kick(robot, motion, Vector2d(ahead, left), random);
-      if (kicked.overlaps) continue;
-      ++kicks;
-      seconds += kicked.seconds;
-      x += kicked.moved.translation.x();
-      y += kicked.moved.translation.y();
-      turned += toDegrees(kicked.moved.rotation);
-      constexpr double touched = 150;  // mm
-      const std::string at = name + ".at." + std::to_string(ahead) + "." + std::to_string(left);
-      const double length = kicked.way.norm();
-      measurement.add(at + ".hit", "", length > touched);
-      measurement.add(at + ".fell", "", kicked.fell);
-      if (length <= touched) continue;
-      strikes.push_back(kicked.strike);
-      measurement.add(at + ".length", "mm", length);
-      measurement.add(at + ".direction", "deg", toDegrees(angleOf(kicked.way)));
-    }
-  measurement.add(name + ".seconds", "s", seconds / kicks);
-  measurement.add(name + ".robot.x", "mm", x / kicks);
-  measurement.add(name + ".robot.y", "mm", y / kicks);
-  measurement.add(name + ".robot.turned", "deg", turned / kicks);
-  if (!strikes.empty()) {
-    std::ranges::sort(strikes);
-    measurement.add(name + ".strike", "s", strikes[strikes.size() / 2]);
-  }
-}
-
-Result<Measurement> measureGrid(const Job& job, const DataRoot& root) {
-  const auto made = Kicker::make(job, root);
-  if (!made) return made.error();
-  const auto& [files, table, robot] = *made;
-  Measurement measurement;
-  const auto number = [&](const char* name) { return static_cast<int>(job.number(name)); };
-  const Grid grid{number("step"), number("nearest"), number("farthest")};
-  if (grid.step < 1) return Error{.field = "step", .what = "expected some mm"};
-  const std::string& only = job.parameter("kick");
-  for (const std::string& name : kicksIn(files.motions())) {
-    Random random = Random{job.seed}.fork(name);
-    // What ends in Right is the mirrored Left.
-    if (only == name || (only == "all" && table.find(name) >= 0 && !name.ends_with("Right")))
-      measurePlaces(*robot, name, grid, random, measurement);
+    measurement.add("motion.kick." + name + ".haste", "%", hasteOf(*net, net->find(name)),
+                    Aim::atMost(0));
   }
   if (measurement.values.empty()) return Error{.field = only, .what = "is no kick"};
   return measurement;
@@ -305,22 +178,6 @@ Parameter kickTeamParameter() {
 }
 
 }  // namespace
-
-Experiment kickTableExperiment() {
-  return {
-      "kicks",
-      "What each kick does with a ball at each place of a grid: of this scripts/kick-table makes "
-      "the table of kicks",
-      {{"profile", "how far all is from perfect", Parameter::Kind::choice, {"padova", "benign"}},
-       changeParameter(),
-       fidelityParameter(),
-       {"kick", "one of them, or all of the table", Parameter::Kind::text, {"all"}},
-       kickTeamParameter(),
-       {"step", "mm from place to place; the table has 20", Parameter::Kind::number, {"60"}},
-       {"nearest", "mm ahead, of the places", Parameter::Kind::number, {"60"}},
-       {"farthest", "mm ahead, of the places", Parameter::Kind::number, {"220"}}},
-      measureGrid};
-}
 
 Experiment kickExperiment() {
   return {"motion.kick",

@@ -33,7 +33,8 @@ struct Arguments {
   unsigned threads = std::max(1u, std::thread::hardware_concurrency());
   std::string json = "out/experiments.json";
   std::vector<std::string> lists, lines, results, teams;
-  std::string out, jobs;
+  std::vector<std::string> kicks;
+  std::string out, jobs, team;
 };
 
 Result<std::vector<Job>> selectedJobs(Arguments arguments, const DataRoot& root) {
@@ -279,6 +280,11 @@ void addCommands(CommandLine& line, Arguments& a, const DataRoot& root) {
   line.command("calibrate-posture",
                "Fits how bodies lean on legs that give to the walks, and writes the configuration",
                [&] { return calibrate(a, root, calibratePosture); });
+  CLI::App& kicks =
+      line.command("calibrate-kicks", "Measures what kicks do, and writes their table",
+                   [&] { return calibrateKicks(a.kicks, a.team, root, a.threads); });
+  kicks.add_option("kicks", a.kicks, "Some of them; all, if none is named");
+  kicks.add_option("--team", a.team, "Whose: a folder, or a name of the folder teams");
 }
 
 }  // namespace

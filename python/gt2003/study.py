@@ -224,6 +224,8 @@ class _Laboratory:
             return FAILED
         total = 0.0
         for f in self._study.figure:
+            if f.name not in figures and f.name in self.units:
+                return FAILED  # such as the spread of kicks that all miss
             if f.name not in figures:
                 known = ", ".join(figures)
                 raise Error(f"is not measured by the job; there are: {known}", self._study.file, field=f.name)
@@ -333,8 +335,11 @@ def _compare(study: Study, laboratory: _Laboratory, new: Mapping[str, float]) ->
         both = [(a, b) for a, b in zip(measured[:half], measured[half:]) if a and b]
         if len(both) < half:
             raise Error(f"{half - len(both)} jobs of the test failed", study.file, field=test.name)
-        for name in both[0][0]:
-            old, new_ = [[figures[name] for figures in side] for side in zip(*both)]
+        for name in dict.fromkeys(name for pair in both for figures in pair for name in figures):
+            pairs = [(a[name], b[name]) for a, b in both if name in a and name in b]
+            if len(pairs) < 2:
+                continue  # there is no interval
+            old, new_ = zip(*pairs)
             low, high = interval(np.subtract(new_, old))
             unit = laboratory.units[name]
             comparisons.append(

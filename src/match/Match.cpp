@@ -1,11 +1,15 @@
 #include "match/Match.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <iterator>
+#include <thread>
 
 #include "base/Hash.h"
+#include "measure/worlds/KickTables.h"
 #include "modules/behavior/tactics/TargetPoints.h"
+#include "modules/motion/specialactions/MotionNetLoader.h"
 #include "robot/Configuration.h"
 #include "simulation/scene/ProfileTable.h"
 #include "streams/File.h"
@@ -48,6 +52,7 @@ Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
       Simulation::make(*scene, options.seed, options.threads, *match->configuration_->field);
   if (!simulation) return simulation.error();
   match->simulation_ = std::move(*simulation);
+  if (const auto done = match->setKicks(); !done) return done.error();
   if (const auto done = match->addRobots(); !done) return done.error();
   if (scene->challenge) {
     auto challenge = std::make_unique<Challenge>(
@@ -141,6 +146,32 @@ Result<void> Match::loadProgram(const std::string& name, const ConfigurationPath
   team.program = std::move(*program);
   const std::string folder = teamFolder(team.program->team, root);
   return folder.empty() ? Result<void>{} : team.open(folder);
+}
+
+Result<void> Match::setKicks() {
+  const unsigned threads = std::max(1u, std::thread::hardware_concurrency());
+  std::map<std::string, std::shared_ptr<const KickTable>> tables;  // by the motions' folder
+  const std::vector<SceneRobot>& robots = simulation_->scene().robots;
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    const Team& team = teamOf(robots[i]);
+    auto& table = tables[team.paths.motions];
+    if (!table) {
+      const Result<MotionNet> net =
+          team.configuration ? *team.configuration->motions : loadMotionNet(team.paths.motions);
+      if (!net && team.program) {
+        // Its own compiler reads it.
+        std::fprintf(stderr, "%s; its kicks do what the project's do\n",
+                     net.error().text().c_str());
+        continue;
+      }
+      if (!net) return net.error();
+      auto kicks = kicksOfMotions(*net, team.paths, options_.root, threads);
+      if (!kicks) return team.folder ? team.folder->named(kicks.error()) : kicks.error();
+      table = std::make_shared<KickTable>(*std::move(kicks));
+    }
+    simulation_->setKicks(i, table);
+  }
+  return {};
 }
 
 std::vector<std::vector<std::string>> Match::kicks() const {

@@ -154,7 +154,6 @@ class Match {
     ConfigurationPaths paths;
     std::shared_ptr<const Configuration> configuration;  ///< Null if it has a program.
     std::optional<TeamProgram> program;
-
     /// Lays a team's folder over the paths.
     Result<void> open(const std::string& name);
   };
@@ -166,6 +165,8 @@ class Match {
     return teams_[static_cast<std::size_t>(robot.team)];
   }
   Result<void> loadProgram(const std::string& name, const ConfigurationPaths& paths, Team& team);
+  /// Has the world play balls as the motions of each team do.
+  Result<void> setKicks();
   std::vector<std::vector<std::string>> kicks() const;  ///< Of each robot.
   Result<void> addRobots();
   Result<void> addRobot(std::size_t index, const Layout& layout);

@@ -7,6 +7,7 @@
 
 #include "match/TestMatch.h"
 #include "representations/perception/CollisionPercept.h"
+#include "streams/Config.h"
 #include "streams/Mcap.h"
 
 namespace gt {
@@ -55,6 +56,45 @@ TEST_F(MatchTest, WhatCannotBePlayedLeavesTheLogsOfTheMatchBefore) {
     const auto now = readFile((folder / "kept" / name).string());
     EXPECT_TRUE(!now || *now == bytes) << name;  // the summary is no file
   }
+}
+
+/// Stands, and performs a kick.
+class Kicker : public RobotController {
+ public:
+  void cycle(const RobotInput&, RobotOutput& output) override {
+    output.specialAction = "pushStrong";
+  }
+};
+
+TEST_F(MatchTest, AKickIsItsMotionAlsoInTheKinematicFidelity) {
+  const auto team = folder / "team";
+  std::filesystem::create_directories(team / "motions/kicks");
+  ASSERT_TRUE(writeFile(team / "motions/kicks/pushStrong.mof",
+                        "motion_id = pushStrong\nlabel start\nposture stand  1 150\n"
+                        "transition allMotions extern start\n"));
+  ASSERT_EQ(setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1), 0);
+  MatchOptions options;
+  options.red = team;
+  const auto match = Match::make(options);
+  unsetenv("XDG_CACHE_HOME");
+  ASSERT_TRUE(match) << match.error().text();
+  KickTable table;
+  ASSERT_TRUE(readConfig("config/kicks.cfg", table));
+  const KickDescription& kick = *table.kickOf("pushStrong");
+  Simulation& simulation = (*match)->simulation();
+  const auto speedAfterKickOf = [&](std::size_t robot) {
+    const Pose2D pose = simulation.world().robot(robot).pose;
+    simulation.attach(robot, std::make_unique<Kicker>());
+    simulation.world().placeBall(0, pose * Vector2d{kick.x, kick.y});
+    double fastest = 0;
+    for (double s = 0; s < kick.strike + 0.1; s += tickSeconds) {
+      simulation.step();
+      fastest = std::max(fastest, simulation.world().ball(0).speed.norm());
+    }
+    return fastest;
+  };
+  EXPECT_EQ(speedAfterKickOf(2), 0) << "red's motion stands still";
+  EXPECT_GT(speedAfterKickOf(6), 500) << "blue's is the project's";
 }
 
 /// The sample of report 3.6: a robot that sees nothing gets away from whatever it runs into.

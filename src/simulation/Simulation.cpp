@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <optional>
 
@@ -10,6 +11,7 @@
 #include "simulation/Oracle.h"
 #include "simulation/camera/CameraEffects.h"
 #include "simulation/scene/SceneModel.h"
+#include "streams/Config.h"
 
 namespace gt {
 namespace {
@@ -56,6 +58,7 @@ Simulation::Simulation(const SceneDescription& scene, std::unique_ptr<World> wor
     const std::string& name = scene.robots[i].name;
     robots_.push_back({nullptr,
                        Sensors{scene.noise, random.fork("sensors " + name), buildOf(i)},
+                       nullptr,
                        true,
                        random.fork("pictures " + name),
                        scene.camera,
@@ -87,8 +90,14 @@ Result<std::unique_ptr<Simulation>> Simulation::make(const SceneDescription& sce
   if (!world) return world.error();
   if (auto done = checkFieldSensors((*world)->model(), scene.resolve(scene.field)); !done)
     return done.error();
-  return std::unique_ptr<Simulation>{
+  const auto kicks = std::make_shared<KickTable>();
+  const std::string table = scene.resolve(scene.config) + "/kicks.cfg";
+  if (std::filesystem::exists(table))
+    if (auto read = readConfig(table, *kicks); !read) return read.error();
+  std::unique_ptr<Simulation> simulation{
       new Simulation{scene, std::move(*world), random, threads, field}};
+  for (Hardware& robot : simulation->robots_) robot.kicks = kicks;
+  return simulation;
 }
 
 void Simulation::prepareCameras() {
@@ -289,7 +298,7 @@ void Simulation::act() {
     if (!r.controller) continue;
     command(i, {r.sensors.build().driven(r.output.joints.angles),
                 r.output.odometry.pose.relativeTo(r.odometry),
-                world_->kickOf(r.output.specialAction), r.output.gains});
+                r.kicks->kickOf(r.output.specialAction), r.output.gains});
     r.odometry = r.output.odometry.pose;
     if (r.output.message) radio_.send(i, *r.output.message, world_->time());
     if (r.output.camera) setCamera(i, *r.output.camera);

@@ -81,6 +81,11 @@ class Simulation {
 
   /// Gives an active robot its controller. A robot without one stands still.
   void attach(std::size_t robot, std::unique_ptr<RobotController> controller);
+  /// What an active robot's kicks do in the kinematic fidelity, to be set before the first step;
+  /// otherwise they are those of the scene's configuration, `kicks.cfg`.
+  void setKicks(std::size_t robot, std::shared_ptr<const KickTable> kicks) {
+    robots_[robot].kicks = std::move(kicks);
+  }
   /// Adds a controller of the scene; all run in the order in which they came.
   void add(std::unique_ptr<SceneController> controller) {
     sceneControllers_.push_back(std::move(controller));
@@ -167,6 +172,7 @@ class Simulation {
   struct Hardware {
     std::unique_ptr<RobotController> controller;
     Sensors sensors;
+    std::shared_ptr<const KickTable> kicks;
     bool cameraOn = true;
     Random imageSeeds;
     CameraEffects camera;

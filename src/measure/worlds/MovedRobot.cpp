@@ -39,6 +39,7 @@ class MovedRobot::Program : public RobotController {
     robot_->send(input.sensors);
     robot_->step(input.now);
     output.joints = *robot_->provided<JointData>();
+    output.gains = *robot_->provided<JointGains>();
     output.odometry = *robot_->provided<OdometryData>();
     output.specialAction = robot_->provided<MotionInfo>()->executed.specialAction;
   }

@@ -29,6 +29,7 @@ struct KickedPlace {
 /// What a kick does, as measured in the dynamic fidelity.
 struct KickDescription {
   std::string motion;
+  std::string made{};
   double x = 0, y = 0;
   double direction = 0;
   double length = 0;
@@ -65,6 +66,7 @@ struct KickDescription {
     using K = KickDescription;
     return Fields{
         field("motion", &K::motion, "", "name of the motion description"),
+        field("made", &K::made, "", "names all that the motion did when it was measured"),
         field("x", &K::x, "mm", "where the ball is best, ahead"),
         field("y", &K::y, "mm", "where the ball is best, to the left"),
         field("direction", &K::direction, "degree",
@@ -86,7 +88,7 @@ struct KickDescription {
   }
 };
 
-/// All kicks: config/kicks.cfg, made by scripts/kick-table.
+/// All kicks: config/kicks.cfg, made by `experiment calibrate-kicks`.
 struct KickTable {
   std::vector<KickDescription> kicks;
 
@@ -95,6 +97,12 @@ struct KickTable {
     for (std::size_t i = 0; i < kicks.size(); ++i)
       if (kicks[i].motion == motion) return static_cast<int>(i);
     return -1;
+  }
+
+  /// A motion's kick; null if it is none.
+  const KickDescription* kickOf(std::string_view motion) const {
+    const int kick = find(motion);
+    return kick < 0 ? nullptr : &kicks[static_cast<std::size_t>(kick)];
   }
 
   static constexpr auto fields() { return Fields{field("kicks", &KickTable::kicks)}; }

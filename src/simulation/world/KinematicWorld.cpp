@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "representations/infrastructure/RobotDimensions.h"
 #include "representations/infrastructure/RobotFootprint.h"
 #include "simulation/world/Servo.h"
 #include "simulation/world/Stance.h"
-#include "streams/Config.h"
 
 namespace gt {
 namespace {
@@ -44,11 +42,6 @@ Vector2d disc(const Pose2D& pose, double x) {
   return pose.translation + x * direction(pose.rotation);
 }
 
-/// Without a file there are no kicks.
-Result<void> readKicks(const std::string& file, KickTable& kicks) {
-  return std::filesystem::exists(file) ? readConfig(file, kicks) : Result<void>{};
-}
-
 }  // namespace
 
 KinematicWorld::KinematicWorld(const SceneDescription& scene, Model model, const Random& random)
@@ -76,8 +69,6 @@ Result<std::unique_ptr<World>> KinematicWorld::make(const SceneDescription& scen
                                                     const Random& random) {
   std::unique_ptr<KinematicWorld> world{new KinematicWorld{scene, std::move(model), random}};
   if (auto found = world->findParts(scene); !found) return found.error();
-  if (auto read = readKicks(scene.resolve(scene.config) + "/kicks.cfg", world->kicks_); !read)
-    return read.error();
   // The robots begin as they would stand up from the power-on pose: on straight legs.
   for (std::size_t i = 0; i < world->balls_.size(); ++i) world->writeBall(i);
   for (std::size_t i = 0; i < world->robots_.size(); ++i) world->setStance(i, true);
@@ -154,11 +145,9 @@ void KinematicWorld::walk(std::size_t i, const Pose2D& step) {
   robot.walked += real.translation.norm();
 }
 
-void KinematicWorld::kick(std::size_t i, int kick) {
+void KinematicWorld::kick(std::size_t i, const KickDescription* kick) {
   Kicking& kicking = kicking_[i];
-  const bool again =
-      kick >= 0 && kick == kicking.kick &&
-      kicking.ticks * tickSeconds > kicks_.kicks[static_cast<std::size_t>(kick)].seconds;
+  const bool again = kick && kick == kicking.kick && kicking.ticks * tickSeconds > kick->seconds;
   if (kick != kicking.kick || again) {
     kicking.kick = kick;
     kicking.ticks = 0;
@@ -166,11 +155,10 @@ void KinematicWorld::kick(std::size_t i, int kick) {
     kicking.hasStruck = false;
   }
   plays_[i] = false;
-  if (kick < 0 || robots_[i].posture != Posture::standing) return;
-  const KickDescription& table = kicks_.kicks[static_cast<std::size_t>(kick)];
-  const bool strikes = kicking.ticks++ == static_cast<int>(std::lround(table.strike / tickSeconds));
+  if (!kick || robots_[i].posture != Posture::standing) return;
+  const bool strikes = kicking.ticks++ == static_cast<int>(std::lround(kick->strike / tickSeconds));
   for (BallState& ball : balls_) {
-    const auto place = table.at(relative(kicking.from, ball.position));
+    const auto place = kick->at(relative(kicking.from, ball.position));
     if (kicking.hasStruck ? ball.lastToucher == static_cast<int>(i)
                           : place && ball.speed.norm() < slowBall)
       plays_[i] = true;

@@ -1,8 +1,6 @@
 #pragma once
 #include <algorithm>
-#include <string>
 
-#include "representations/motion/KickTable.h"
 #include "simulation/world/BallPhysics.h"
 #include "simulation/world/Gait.h"
 #include "simulation/world/StepNoise.h"
@@ -12,8 +10,7 @@ namespace gt {
 
 /// The kinematic fidelity (report 5.1.1): robots move by their own motion model, with slip and
 /// noise, and are blocked by robots, walls and goals; their feet set height and tilt of the body.
-/// Only the balls have physics; a ball that a kick of the table (config/kicks.cfg) plays goes where
-/// the table says.
+/// Only the balls have physics; a ball that a kick plays goes where the kick's description says.
 class KinematicWorld : public World {
  public:
   static Result<std::unique_ptr<World>> make(const SceneDescription& scene, Model model,
@@ -21,9 +18,6 @@ class KinematicWorld : public World {
 
   void step(std::span<const RobotCommand> commands) override;
   void change(const SceneDescription& scene) override;
-  int kickOf(const std::string& specialAction) const override {
-    return specialAction.empty() ? -1 : kicks_.find(specialAction);
-  }
   void moveGeom(int geom, const Vector3d& position) override {
     World::moveGeom(geom, position);
     std::fill(clear_.begin(), clear_.end(), Clearance{});
@@ -48,9 +42,9 @@ class KinematicWorld : public World {
     double distance = 0;
   };
 
-  /// A kick from its table.
+  /// A kick that a robot performs.
   struct Kicking {
-    int kick = -1;
+    const KickDescription* kick = nullptr;
     int ticks = 0;  ///< Since it began.
     Pose2D from;    ///< Where the robot stood then.
     bool hasStruck = false;
@@ -63,7 +57,7 @@ class KinematicWorld : public World {
   bool ballOverlapsRobot(std::size_t ball, std::size_t robot) const override;
   bool ballOverlapsField(std::size_t ball) const override;
 
-  void kick(std::size_t i, int kick);
+  void kick(std::size_t i, const KickDescription* kick);
   bool mayMeetObstacle(std::size_t i);
   void moveJoints(RobotBody& robot, const JointAngles& targets) const;
   void walk(std::size_t i, const Pose2D& step);
@@ -79,10 +73,9 @@ class KinematicWorld : public World {
   WalkingParameters walkingParameters_;
   BallPhysics ballPhysics_;
   std::vector<Walking> walking_;
-  KickTable kicks_;
   std::vector<Kicking> kicking_;
-  /// Whose kick plays a ball by its table: no part of them touches one that lies there or rolls
-  /// from the strike. One that somebody else has set rolling meets their bodies.
+  /// Whose kick plays a ball by its description: no part of them touches one that lies there or
+  /// rolls from the strike. One that somebody else has set rolling meets their bodies.
   std::vector<bool> plays_;
   std::vector<Clearance> clear_;
   std::vector<Vector2d> from_, ways_;  ///< Of each robot in this tick, on the field (mm).

@@ -10,6 +10,7 @@
 #include "base/Result.h"
 #include "base/Time.h"
 #include "representations/infrastructure/JointGains.h"
+#include "representations/motion/KickTable.h"
 #include "simulation/scene/Scene.h"
 #include "simulation/world/MuJoCo.h"
 #include "simulation/world/Obstacles.h"
@@ -25,7 +26,8 @@ constexpr double tickSeconds = tickMs / 1000.0;
 struct RobotCommand {
   JointAngles joints{};
   Pose2D step;
-  int kick = -1;       ///< That it performs, as the world numbers kicks (`kickOf`); -1: none.
+  /// That it performs, or null: in the kinematic fidelity balls go where this says.
+  const KickDescription* kick = nullptr;
   JointGains gains{};  ///< Only the dynamic fidelity has servos for them.
 };
 
@@ -96,8 +98,6 @@ class World {
 
   /// One tick of 8 ms. One command for each active robot. Commands that are no numbers are ignored.
   virtual void step(std::span<const RobotCommand> commands) = 0;
-  /// The number of a special action that the world plays by the table of kicks; -1 for all others.
-  virtual int kickOf(const std::string& /*specialAction*/) const { return -1; }
 
   const mjModel& model() const { return *model_; }
   /// The poses of all geoms at the end of the last tick. Only `step` and the `place` functions

@@ -1,0 +1,37 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/DataRoot.h"
+#include "base/Result.h"
+#include "measure/worlds/KickTrial.h"
+#include "representations/motion/KickTable.h"
+#include "representations/motion/MotionNet.h"
+#include "robot/Configuration.h"
+
+namespace gt {
+
+/// The robots by which kicks are measured, each put together in another way.
+std::vector<std::uint64_t> kickSeeds();
+
+/// Measures in the dynamic fidelity, under `padova`, what one of a folder's motions does with balls
+/// around it: by a robot for each seed. The same in, the same out, with any number of threads.
+Result<DescribedKick> measureKick(const std::string& motion, const MotionNet& net,
+                                  const std::string& motions,
+                                  const std::vector<std::uint64_t>& seeds, const DataRoot& root,
+                                  unsigned threads);
+
+/// What the kicks of a folder's motions do, for the kinematic fidelity: the row of a table that was
+/// measured with this motion, of the configuration or the project; without one it is measured, and
+/// kept in the user's cache. Kicks are what the folder `kicks` of the motions has, or a table.
+Result<KickTable> kicksOfMotions(const MotionNet& net, const ConfigurationPaths& paths,
+                                 const DataRoot& root, unsigned threads);
+
+/// The kicks of a folder of motion descriptions, by name: those in its folder `kicks`.
+std::vector<std::string> kicksIn(const std::string& motions);
+
+/// A table as its file, config/kicks.cfg.
+std::string kickTableText(const KickTable& table);
+
+}  // namespace gt
