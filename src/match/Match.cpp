@@ -1,7 +1,6 @@
 #include "match/Match.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <iterator>
 #include <thread>
@@ -158,12 +157,7 @@ Result<void> Match::setKicks() {
     if (!table) {
       const Result<MotionNet> net =
           team.configuration ? *team.configuration->motions : loadMotionNet(team.paths.motions);
-      if (!net && team.program) {
-        // Its own compiler reads it.
-        std::fprintf(stderr, "%s; its kicks do what the project's do\n",
-                     net.error().text().c_str());
-        continue;
-      }
+      if (!net && team.program) continue;  // It reads them itself, and tells.
       if (!net) return net.error();
       auto kicks = kicksOfMotions(*net, team.paths, options_.root, threads);
       if (!kicks) return team.folder ? team.folder->named(kicks.error()) : kicks.error();
