@@ -20,9 +20,8 @@ struct ConsoleValue {
 ///     red1.x, red1.y, red1.rotation, red1.height, red1.tilt, red1.roll, red1.walked, red1.posture
 ///     red1.RobotPose.pose.rotation      what a robot provides or reads
 ///     red1.ImageProcessor.denseSpacing  a parameter, as TASK.PATH or TASK.SOLUTION.PATH
-///     robots/red1/joints/headPan        an object of the scene tree (SceneTree); in conditions
-///     with
-///                                       dots; field.flag.2 is the third of its numbers
+///     robots/red1/joints/headPan        an object of the scene tree (SceneTree), in conditions
+///                                       with dots; field.flag.2 is the third of its numbers
 ///
 /// The truth is in the field's coordinates: mm, degrees, seconds. Without a robot's name the last
 /// two are of the first selected one.

@@ -13,14 +13,15 @@
 ///
 /// | wanted | message | comes back |
 /// | --- | --- | --- |
-/// | processes, tasks, solutions, parameters with values, representations, debug keys |
-/// DescriptionRequest | ProcessDescription | | a representation, once or again and again |
-/// WatchRequest | the representation | | how long modules take | WatchRequest of ModuleTimes |
-/// ModuleTimes | | drawings, plots | DebugRequest | Drawing, Plot | | another solution, parameter |
-/// SolutionRequest, ParameterRequest, GenericDebugData | | | a field of a representation or of the
-/// configuration set or held | ValueRequest | | | a whole representation or piece of configuration
-/// set (ColorTable64, TslColors, RobotCalibration, ...) | itself | | | another layout, behavior;
-/// how the queue to the tools is filled | LayoutRequest, BehaviorRequest, QueueFillRequest | |
+/// | processes, tasks, solutions, parameters, keys | DescriptionRequest | ProcessDescription |
+/// | a representation, once or again and again | WatchRequest | the representation |
+/// | how long modules take | WatchRequest of ModuleTimes | ModuleTimes |
+/// | drawings, plots | DebugRequest | Drawing, Plot |
+/// | another solution, a parameter | SolutionRequest, ParameterRequest, GenericDebugData | |
+/// | a field of a representation or of the configuration, set or held | ValueRequest | |
+/// | a whole representation or piece of configuration set (ColorTable64, TslColors, ...) | itself | |
+/// | another layout, another behavior | LayoutRequest, BehaviorRequest | |
+/// | how the queue to the tools is filled | QueueFillRequest | |
 ///
 /// Besides, each process answers each request by a RequestAnswer.
 namespace gt {

@@ -44,7 +44,7 @@ void setLeg(JointAngles& all, Leg leg, const LegAngles& angles);
 std::array<Vector3d, 4> footPositions(const RobotDimensions& robot, const JointAngles& angles);
 
 /// The least angle of the elevator beside which the leg misses the body, by the rotator's angle
-/// (facts 1.2).
+/// (facts, 1.2).
 double leastElevator(Leg, double rotator);
 
 }  // namespace gt

@@ -24,7 +24,7 @@ TEST(LegKinematics, FootAtZeroIsWhereTheDrawingHasIt) {
   EXPECT_LT((footPosition(robot, Leg::foreLeft, {}) - Vector3d{53.42, 59.7, -130.0}).norm(), 1e-9);
   EXPECT_LT((footPosition(robot, Leg::hindRight, {}) - Vector3d{-42.94, -59.7, -134.88}).norm(),
             1e-9);
-  // The drawn pose has the knees at 35 degrees (facts 1.1).
+  // The drawn pose has the knees at 35 degrees (facts, 1.1).
   const auto foot = footPosition(robot, Leg::foreLeft, {0, 0, fromDegrees(35)});
   EXPECT_LT((foot - Vector3d{59.5 + 12.8 + 22.4, 59.7, -64 - 64.9}).norm(), 0.1);
 }

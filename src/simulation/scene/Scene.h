@@ -13,8 +13,8 @@
 
 namespace gt {
 
-/// How truly the bodies move (design: the simulator's two fidelities). Kinematic: robots move by
-/// their own motion model. Dynamic: motors, contacts and friction move everything.
+/// How truly the bodies move. Kinematic: robots move by their own motion model. Dynamic: motors,
+/// contacts and friction move everything.
 enum class Fidelity { kinematic, dynamic };
 
 /// How much chance there is in the sensors and motions of all robots. Element `noise`.
