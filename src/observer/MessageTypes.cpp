@@ -6,6 +6,7 @@
 #include "colors/TslColors.h"
 #include "debug/Drawing.h"
 #include "framework/Description.h"
+#include "framework/QueueFill.h"
 #include "framework/Requests.h"
 #include "observer/RecordedSetup.h"
 #include "representations/RepresentationTypes.h"
@@ -16,12 +17,27 @@ const std::vector<const RepresentationType*>& messageTypes() {
   static const std::vector<const RepresentationType*> list = [] {
     const auto representations = representationTypes();
     std::vector<const RepresentationType*> types{representations.begin(), representations.end()};
-    types.insert(types.end(),
-                 {&representation<HsiColors>(), &representation<TslColors>(),
-                  &representation<Text>(), &representation<Drawing>(), &representation<Plot>(),
-                  &representation<StopwatchTime>(), &representation<DroppedMessages>(),
-                  &representation<ProcessDescription>(), &representation<RequestAnswer>(),
-                  &representation<ModuleTimes>(), &representation<RecordedSetup>()});
+    types.insert(types.end(), {&representation<DebugRequest>(),
+                               &representation<DescriptionRequest>(),
+                               &representation<Drawing>(),
+                               &representation<DroppedMessages>(),
+                               &representation<GenericDebugData>(),
+                               &representation<HsiColors>(),
+                               &representation<LayoutRequest>(),
+                               &representation<ModuleTimes>(),
+                               &representation<ParameterRequest>(),
+                               &representation<Plot>(),
+                               &representation<ProcessDescription>(),
+                               &representation<QueueFillRequest>(),
+                               &representation<RecordedSetup>(),
+                               &representation<RequestAnswer>(),
+                               &representation<SetupRequest>(),
+                               &representation<SolutionRequest>(),
+                               &representation<StopwatchTime>(),
+                               &representation<Text>(),
+                               &representation<TslColors>(),
+                               &representation<ValueRequest>(),
+                               &representation<WatchRequest>()});
     return types;
   }();
   return list;

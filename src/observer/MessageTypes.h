@@ -7,8 +7,8 @@
 
 namespace gt {
 
-/// The types of all messages that robots send to their tools: all representations, drawings, plots,
-/// texts, times, and what processes report about themselves.
+/// The types of all messages that robots and their tools exchange: all representations, requests and
+/// their answers, drawings, plots, texts, times, and what processes report about themselves.
 const std::vector<const RepresentationType*>& messageTypes();
 
 /// A type by its message id or by its name; null if it is unknown.

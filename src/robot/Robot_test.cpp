@@ -6,6 +6,7 @@
 
 #include "modules/behavior/control/BehaviorControlRequest.h"
 #include "modules/behavior/control/BehaviorRequest.h"
+#include "observer/MessageTypes.h"
 #include "observer/RobotLog.h"
 #include "representations/behavior/BehaviorState.h"
 #include "representations/behavior/HeadControlMode.h"
@@ -314,6 +315,19 @@ TEST(Robot, SameSeedSameRobot) {
   const auto first = run();
   EXPECT_GT(first.size(), 10000u);
   EXPECT_EQ(first, run());
+}
+
+// Else a message from a robot of another version would be passed on as one's own
+// (network/Vocabulary.h).
+TEST(RobotModules, KnowAllMessagesThatToolsAndPlatformsKnow) {
+  const auto known = allModules().messageTypes();
+  auto wanted = messageTypes();
+  for (const auto& more : {platformRepresentations(), commandRepresentations()})
+    wanted.insert(wanted.end(), more.begin(), more.end());
+  std::vector<std::string> missing;
+  for (const RepresentationType* type : wanted)
+    if (std::ranges::find(known, type) == known.end()) missing.emplace_back(type->name);
+  EXPECT_THAT(missing, ::testing::IsEmpty());
 }
 
 }  // namespace
