@@ -132,6 +132,14 @@ void ObservedRobot::forget() {
   drawnAt_.clear();
   plots_.clear();
   texts_.clear();
+  times_.clear();
+  for (auto& [type, newest] : newest_) newest.count = 0;
+  forgetNames();
+}
+
+/// What processes there are, and what they have, may have changed.
+void ObservedRobot::forgetNames() {
+  for (auto* names : {&representations_, &inputs_, &debugKeys_}) names->clear();
 }
 
 void ObservedRobot::addText(std::string text) {
@@ -217,6 +225,11 @@ Result<void> ObservedRobot::request(const DebugRequest& request) {
     hidden_.erase(request.key);
   }
   return {};
+}
+
+Result<void> ObservedRobot::request(const LayoutRequest& request) {
+  forgetNames();
+  return this->request<LayoutRequest>(request);
 }
 
 ObservedRobot::Subscription ObservedRobot::subscribeKey(const std::string& key) {
@@ -380,9 +393,7 @@ Result<const std::vector<ProcessDescription>*> ObservedRobot::processes() {
   about_.clear();
   processes_.clear();
   if (auto done = request(DescriptionRequest{}); !done) return done.error();
-  representations_.clear();
-  inputs_.clear();
-  debugKeys_.clear();
+  forgetNames();
   for (const ProcessDescription& process : processes_) {
     for (const RepresentationDescription& known : process.representations) {
       if (!known.streamed) continue;

@@ -112,6 +112,8 @@ class ObservedRobot {
   Result<void> request(const Request& request);
   /// Also shows or hides what is drawn under the key.
   Result<void> request(const DebugRequest& request);
+  /// Also asks anew what the robot has.
+  Result<void> request(const LayoutRequest& request);
   /// Sends any other message, such as a representation. Returns an error if it is refused at once.
   template <typename T>
   Result<void> send(const T& message) {
@@ -138,7 +140,7 @@ class ObservedRobot {
   /// All that the robot has reported as wrong, up to a thousand findings: texts that are warnings,
   /// requests that it refused, messages for which it had no room.
   const Findings& warnings() const { return warnings_; }
-  /// Forgets all of that: the robot has begun anew, perhaps at an earlier time.
+  /// Forgets all of that, and all values: the robot has begun anew, perhaps at an earlier time.
   void forget();
 
   /// Also hands all messages to something else, such as a recorder, for as long as the handle
@@ -167,6 +169,7 @@ class ObservedRobot {
   void take(ProcessDescription description);
   void keep(Time time, Drawing drawing);
   void keep(const std::string& plot, Point point);
+  void forgetNames();
   void drop(const std::string& representation);
   void dropKey(const std::string& key);
   Result<void> isKnown(std::string_view representation);

@@ -35,6 +35,8 @@ class OneProcess : public RobotLink {
       ProcessDescription description;
       description.process = "Eyes";
       description.representations.push_back({"Image", RepresentationOrigin::platform, true, 0});
+      if (otherLayout_)
+        description.representations.push_back({"Sound", RepresentationOrigin::received, true, 0});
       description.debugKeys = {"Eyes/seen"};
       out.write({}, description);
     } else if (message.is<WatchRequest>() && message.read(watch)) {
@@ -48,6 +50,8 @@ class OneProcess : public RobotLink {
         modes.push_back(key.mode);
       else
         answer.outcome = RequestOutcome::notConcerned;
+    } else if (message.is<LayoutRequest>()) {
+      otherLayout_ = true;
     } else if (message.is<SolutionRequest>()) {
       answer = answerTo(message, "Eyes", Error{.what = "not now"});
     }
@@ -55,6 +59,7 @@ class OneProcess : public RobotLink {
   }
 
   MessageQueue in_;
+  bool otherLayout_ = false;
 };
 
 class ObservedRobotTest : public ::testing::Test {
@@ -160,6 +165,20 @@ TEST_F(ObservedRobotTest, CollectsWhatTheRobotReportsAsWrong) {
   EXPECT_EQ(robot.warnings().warnings(), 1u);
   EXPECT_TRUE(robot.warnings().fail(true));
   EXPECT_NE(robot.warnings().text().find("at 16 ms: warning: no ball at all"), std::string::npos);
+}
+
+TEST_F(ObservedRobotTest, KnowsWhatAnotherLayoutBrings) {
+  EXPECT_THAT(robot.representations(), ElementsAre("Image"));
+  EXPECT_TRUE(robot.request(LayoutRequest{"other.layout", ""}));
+  EXPECT_THAT(robot.representations(), ElementsAre("Image", "Sound"));
+}
+
+TEST_F(ObservedRobotTest, ForgetsTheValuesOfARobotThatBeginsAnew) {
+  ASSERT_TRUE(robot.value<Image>());
+  EXPECT_NE(robot.newest<Image>(), nullptr);
+  robot.forget();
+  EXPECT_EQ(robot.newest<Image>(), nullptr);
+  EXPECT_TRUE(robot.value<Image>());
 }
 
 TEST_F(ObservedRobotTest, TellsWhatTheRobotRefuses) {
