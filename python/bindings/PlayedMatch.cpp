@@ -134,13 +134,13 @@ std::vector<std::string> PlayedMatch::robotNames() {
   return names;
 }
 
-void PlayedMatch::select(const std::string& robot) {
-  if (robot.empty()) return execute("robot all");
+std::vector<std::string> PlayedMatch::allOr(const std::string& robot) {
+  if (robot.empty()) return {};
   const std::vector<std::string> known = robotNames();
   if (std::ranges::find(known, robot) == known.end())
     throw Failure{
         Error{.field = "robot", .what = "there is no '" + robot + "'" + suggestion(robot, known)}};
-  execute("robot " + quotedWord(robot));
+  return {robot};
 }
 
 std::string PlayedMatch::console(const std::string& line, const std::string& robot) {
@@ -151,13 +151,14 @@ std::string PlayedMatch::console(const std::string& line, const std::string& rob
   if (std::ranges::find(notForPython, words.front()) != std::end(notForPython))
     throw Failure{Error{.field = words.front(),
                         .what = "is not for a match of Python, which it would end or replace"}};
-  select(robot);
+  const std::vector<std::string> robots = allOr(robot);
+  requireRest();
   Result<void> done;
   screen_.printed.emplace();
   {
     const Run run{*this};
     const nb::gil_scoped_release released;
-    done = console_->execute(line);
+    done = console_->executeFor(robots, line);
   }
   const std::string printed = *std::exchange(screen_.printed, std::nullopt);
   if (PyErr_Occurred()) throw nb::python_error();
@@ -169,7 +170,8 @@ std::string PlayedMatch::console(const std::string& line, const std::string& rob
 
 nb::object PlayedMatch::picture(const std::string& view, const std::string& robot,
                                 const std::vector<double>& numbers, const std::string& file) {
-  select(robot);
+  ViewSubject subject = console_->viewSubject();
+  for (const std::string& name : allOr(robot)) subject.robots = {&session_->find(name)->observed()};
   const auto views = console_->views();
   const auto found = std::ranges::find(views, view, [](const auto& v) { return v->name(); });
   if (found == views.end()) {
@@ -178,7 +180,7 @@ nb::object PlayedMatch::picture(const std::string& view, const std::string& robo
     throw Failure{
         Error{.field = "view", .what = "there is no '" + view + "'" + suggestion(view, known)}};
   }
-  const Sheet sheet = orThrow((*found)->show(console_->viewSubject(), numbers));
+  const Sheet sheet = orThrow((*found)->show(subject, numbers));
   if (!file.empty()) orThrow(sheet.write(file));
   auto pixels = std::make_unique<RgbImage>(sheet.pixels());
   const std::size_t shape[] = {static_cast<std::size_t>(pixels->height),
@@ -196,9 +198,9 @@ void PlayedMatch::execute(const std::string& line) {
 
 void PlayedMatch::executeFor(const std::string& robot, const std::string& line,
                              const std::string& about) {
-  execute("robot " + quotedWord(robot));
+  requireRest();
   try {
-    execute(line);
+    orThrow(console_->executeFor({robot}, line));
   } catch (const Failure& failure) {
     std::string what = failure.error.what;
     if (what.starts_with(about + ": ")) what.erase(0, about.size() + 2);
@@ -217,11 +219,8 @@ const PlayedMatch::Joined* PlayedMatch::findJoined(std::size_t robot, const std:
 nb::object PlayedMatch::solve(std::size_t robot, const std::string& task, nb::handle solution) {
   if (!nb::isinstance<nb::str>(solution)) return join(robot, task, solution);
   const auto name = nb::cast<std::string>(solution);
-  SimulatedRobot& known = *match().robots()[robot];
-  if (findJoined(robot, task, name))
-    orThrow(known.robot().request(SolutionRequest{task, name}));
-  else
-    executeFor(known.name(), "sr " + quotedWord(task) + " " + quotedWord(name), task);
+  executeFor(match().robots()[robot]->name(), "sr " + quotedWord(task) + " " + quotedWord(name),
+             task);
   return nb::none();
 }
 

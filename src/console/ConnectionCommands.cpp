@@ -67,8 +67,7 @@ std::vector<std::string> robotsOf(Console& console, QueueName queue) {
   return names;
 }
 
-/// to and from: a robot command for the robots of a message queue, whatever is selected. What was
-/// done is noted as a selection and the command.
+/// to and from: a robot command for the robots of a message queue, whatever is selected.
 Result<void> withQueue(Console& console, const Words& words) {
   const auto queue = queueOf(words[0], words[1]);
   const Command* command = Console::find(words[2]);
@@ -77,17 +76,7 @@ Result<void> withQueue(Console& console, const Words& words) {
     return Error{.field = words[2], .what = "is no command for selected robots"};
   const std::vector<std::string> names = robotsOf(console, *queue);
   if (names.empty()) return Error{.field = words[1], .what = "there is no such robot"};
-  const auto line = [](const std::vector<std::string>& robots) {
-    std::string text = "robot";
-    for (const std::string& robot : robots) text += " " + robot;
-    return robots.empty() ? text + " all" : text;
-  };
-  const std::vector<std::string> before = console.selection();
-  if (auto done = console.execute(line(names)); !done) return done;
-  const std::size_t rest = words.rest.find(words[2], words[1].size());
-  const auto done = console.execute(words.rest.substr(rest));
-  const auto back = console.execute(line(before));
-  return done ? back : done;
+  return console.executeFor(names, words.rest.substr(words.rest.find(words[2], words[1].size())));
 }
 
 }  // namespace

@@ -30,6 +30,19 @@ TEST_F(ConnectionCommands, SendsToMessageQueues) {
   EXPECT_THAT(console->selection(), testing::IsEmpty());
 }
 
+TEST_F(ConnectionCommands, ALineForOtherRobotsKeepsTheSelection) {
+  expectFine("robot red4");
+  ASSERT_TRUE(console->executeFor({"red1"}, "set ImageProcessor.denseSpacing 4"));
+  EXPECT_THAT(console->selection(), ::testing::ElementsAre("red4"));
+  EXPECT_EQ(value("red1.ImageProcessor.denseSpacing"), "4");
+  EXPECT_EQ(value("red4.ImageProcessor.denseSpacing"), "2");
+  EXPECT_FALSE(console->executeFor({"red1"}, "set ImageProcessor.nonsense 4"));
+  EXPECT_FALSE(console->executeFor({"red9"}, "set ImageProcessor.denseSpacing 4"));
+  EXPECT_THAT(console->selection(), ::testing::ElementsAre("red4"));
+  ASSERT_TRUE(console->executeFor({}, "set ImageProcessor.denseSpacing 6"));
+  EXPECT_EQ(value("red4.ImageProcessor.denseSpacing"), "6");
+}
+
 TEST_F(ConnectionCommands, TellWhyARobotIsNotReached) {
   ASSERT_TRUE(makeKeys(file("keys")));
   Network network;

@@ -147,6 +147,20 @@ const Command* Console::find(std::string_view name) {
   return found == commands().end() ? nullptr : &*found;
 }
 
+Result<void> Console::executeFor(const std::vector<std::string>& robots, std::string_view line) {
+  const auto selecting = [](const std::vector<std::string>& names) {
+    std::string command = "robot";
+    for (const std::string& name : names) command += " " + quotedWord(name);
+    return names.empty() ? command + " all" : command;
+  };
+  std::vector<std::string> before = selected_;
+  if (auto done = execute(selecting(robots)); !done) return done;
+  auto done = execute(line);
+  std::erase_if(before, [this](const std::string& name) { return !session_.find(name); });
+  const auto back = execute(selecting(before));
+  return done ? back : done;
+}
+
 Result<void> Console::executeWithin(std::string_view line) {
   const bool noting = std::exchange(noting_, false);
   auto done = execute(line);

@@ -63,7 +63,10 @@ class Console {
 
   /// Executes one line. Errors name the line's command or the word that is wrong.
   Result<void> execute(std::string_view line);
-  /// The same for what a command does that is noted itself.
+  /// Executes one line for these robots, for all if there are none, whatever is selected. Selections
+  /// and line are noted, so that a loaded state does it again.
+  Result<void> executeFor(const std::vector<std::string>& robots, std::string_view line);
+  /// Executes one line for what a command does that is noted itself.
   Result<void> executeWithin(std::string_view line);
   /// The same for what a joystick does, also while another command is executed.
   Result<void> executeInput(std::string_view line);

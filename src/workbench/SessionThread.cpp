@@ -221,13 +221,16 @@ void SessionThread::stepped() {
 }
 
 /// Executes a line on the session's thread.
-Result<void> SessionThread::perform(const std::string& line, bool quiet) {
+/// Executes a line for some robots, or for the selected ones.
+Result<void> SessionThread::perform(const std::string& line, bool quiet,
+                                    const std::optional<std::vector<std::string>>& robots) {
   {
     const std::lock_guard lock{mutex_};
     current_ = line;
   }
   if (!quiet) print("> " + line);
-  auto done = guarded([&] { return console_->execute(line); });
+  auto done = guarded(
+      [&] { return robots ? console_->executeFor(*robots, line) : console_->execute(line); });
   if (!done) print("error: " + done.error().text());
   auto offers = console_->takeOffers();
   const std::lock_guard lock{mutex_};
@@ -257,17 +260,8 @@ void SessionThread::executeQuietly(std::string line) {
 
 void SessionThread::executeFor(std::string robot, std::string line, QObject* receiver, Done done) {
   const Done report = reportTo(receiver, std::move(done));
-  post({[this, robot = std::move(robot), line = std::move(line), report](Console& console) {
-          // By commands, so that a saved state repeats it.
-          std::string before = "robot all";
-          if (!console.selection().empty()) {
-            before = "robot";
-            for (const std::string& name : console.selection()) before += " " + name;
-          }
-          Result<void> result = perform("robot " + robot, true);
-          if (result) result = perform(line, false);
-          static_cast<void>(perform(before, true));
-          report(result);
+  post({[this, robot = std::move(robot), line = std::move(line), report](Console&) {
+          report(perform(line, false, std::vector{robot}));
         },
         [report] { report(discardedError()); }});
 }

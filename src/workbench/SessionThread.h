@@ -173,7 +173,8 @@ class SessionThread {
   void work();
   void post(Command command);
   void post(Task question);
-  Result<void> perform(const std::string& line, bool quiet);
+  Result<void> perform(const std::string& line, bool quiet,
+                       const std::optional<std::vector<std::string>>& robots = {});
   template <typename T>
   std::optional<T> take(std::deque<T>& queue);
   /// Answers questions, as long as there are any, for a limited time.
