@@ -107,6 +107,9 @@ Result<void> set(Console& console, const Words& words) {
     if (puts() != before) printPut(console);
     return done;
   }
+  const std::size_t dot = words[1].find('.');
+  if (ConsoleRobot* const named = console.session().find(words[1].substr(0, dot)))
+    if (dot != std::string::npos) return named->observed().set(words[1].substr(dot + 1), value);
   return console.forEachRobot(
       [&](ConsoleRobot& robot) -> Result<void> { return robot.observed().set(words[1], value); });
 }
@@ -149,8 +152,9 @@ std::vector<Command> valueCommands() {
        "parameters, or any object of the scene; or all values below a path: get RobotPose. With ? "
        "it lists all, or those that begin so.",
        get, valueChoices},
-      {robot, "set", "TASK[.SOLUTION].PATH VALUE {VALUE} | OBJECT VALUE {VALUE}",
-       "Sets a parameter; or moves or switches an object of the scene, such as "
+      {robot, "set", "[ROBOT.]TASK[.SOLUTION].PATH VALUE {VALUE} | OBJECT VALUE {VALUE}",
+       "Sets a parameter or a field of a representation, of the selected robots or of the one that "
+       "is named; or moves or switches an object of the scene, such as "
        "robots.red1.joints.headPan.",
        set, settableNames, true}};
 }

@@ -70,6 +70,17 @@ TEST_F(ValueCommands, RobotsThatAreNamedHaveGroupsToo) {
   expectError("get red1.RobotPoses", "red1.RobotPoses", "no such value");
 }
 
+TEST_F(ValueCommands, SetsWhatItGetsOfANamedRobot) {
+  expectFine("set red1.ImageProcessor.denseSpacing 4");
+  EXPECT_EQ(value("red1.ImageProcessor.denseSpacing"), "4");
+  EXPECT_EQ(value("red4.ImageProcessor.denseSpacing"), "2");
+  expectFine("run 200 ms");
+  expectFine("set red4.RobotPose.pose.translation.x 77");
+  EXPECT_EQ(value("red4.RobotPose.pose.translation.x"), "77");
+  EXPECT_NE(value("red1.RobotPose.pose.translation.x"), "77");
+  expectError("set red1.Poet.rhyme 4", "Poet.rhyme", "there is no such value");
+}
+
 TEST_F(ValueCommands, RobotsOnLogsHaveNoBody) {
   expectFine("robot red1");
   expectFine("log start");
