@@ -116,9 +116,13 @@ def test_it_plays_and_is_replaced() -> None:
     robot.solve("BallLocator", "Probabilistic")
     match.run(0.2)
     assert made.calls == calls and robot.solutions["BallLocator"] == "Probabilistic"
-    robot.solve("BallLocator", "LastSeen")
+    assert "LastSeen" in match.console("sr BallLocator ?", robot="red2")
+    match.console("sr BallLocator LastSeen", robot="red2")
     match.run(0.2)
     assert made.calls > calls
+    with pytest.raises(gt2003.Error, match="there is no solution 'LastSeen'"):
+        match.console("sr BallLocator LastSeen", robot="red3")
+    robot.solve("BallLocator", "LastSeen")
     assert robot.solve("BallLocator", LastSeen) is not made  # another object of the same name
     assert match.failures == []
 

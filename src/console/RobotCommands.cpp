@@ -71,16 +71,26 @@ const std::vector<ReportKey>& reportKeys() {
   return list;
 }
 
-std::vector<std::string> debugKeyNames(Console&, const Words& before) {
+/// The tasks of the first selected robot, as it describes them: it may be another program.
+std::vector<TaskDescription> tasksOfFirst(Console& console) {
+  std::vector<TaskDescription> tasks;
+  const auto robot = console.firstRobot();
+  if (!robot) return tasks;
+  for (ProcessDescription& process : describe(**robot))
+    std::ranges::move(process.tasks, std::back_inserter(tasks));
+  std::ranges::sort(tasks, {}, &TaskDescription::name);
+  return tasks;
+}
+
+std::vector<std::string> debugKeyNames(Console& console, const Words& before) {
   if (before.size() == 3) return {"off", "on", "every"};
   std::vector<std::string> names;
   if (before.size() != 1 && before.size() != 2) return names;
   if (before.size() == 2) return {"off", "on", "every"};
-  for (const DebugKey& key : DebugKey::all()) names.emplace_back(key.name());
+  if (const auto robot = console.firstRobot()) names = (*robot)->observed().debugKeys();
   for (const ReportKey& key : reportKeys()) names.emplace_back(key.name);
-  for (const auto& [task, entry] : solutions().tasks())
-    for (const RepresentationType* output : entry.outputs)
-      names.push_back("send" + std::string{output->name});
+  for (const TaskDescription& task : tasksOfFirst(console))
+    for (const std::string& output : task.outputs) names.push_back("send" + output);
   names.emplace_back("?");
   return names;
 }
@@ -112,7 +122,8 @@ Result<void> setKey(ObservedRobot& robot, const std::string& name, const DebugKe
         return done;
     return {};
   }
-  if (!DebugKey::find(name) && name.starts_with("send") && name.size() > 4)
+  const bool isKey = std::ranges::binary_search(robot.debugKeys(), name);
+  if (!isKey && name.starts_with("send") && name.size() > 4)
     return robot.watch(name.substr(4), often);
   return robot.request(DebugRequest{name, often.mode, often.n});
 }
@@ -131,13 +142,12 @@ Result<void> dk(Console& console, const Words& words) {
       [&](ConsoleRobot& robot) { return setKey(robot.observed(), words[1], *often); });
 }
 
-std::vector<std::string> taskNames(Console&, const Words& before) {
+std::vector<std::string> taskNames(Console& console, const Words& before) {
   std::vector<std::string> names;
-  if (before.size() == 1)
-    for (const auto& [name, task] : solutions().tasks()) names.push_back(name);
-  const Task* task = before.size() == 2 ? solutions().find(before[1]) : nullptr;
-  if (task) {
-    for (const Solution& solution : task->solutions) names.push_back(solution.name);
+  for (const TaskDescription& task : tasksOfFirst(console)) {
+    if (before.size() == 1) names.push_back(task.name);
+    if (before.size() != 2 || task.name != before[1]) continue;
+    for (const SolutionDescription& solution : task.solutions) names.push_back(solution.name);
     names.emplace_back(SolutionTable::disabled);
   }
   names.emplace_back("?");
@@ -145,43 +155,42 @@ std::vector<std::string> taskNames(Console&, const Words& before) {
 }
 
 /// The report's scripts name the solution GT2003-soccer that is GT2003 here.
-std::string solutionName(const std::string& task, const std::string& word) {
-  const Task* known = solutions().find(task);
-  if (known && !known->find(word))
-    for (const Solution& solution : known->solutions)
-      if (word.starts_with(solution.name + "-")) return solution.name;
+std::string solutionName(const std::vector<std::string>& known, const std::string& word) {
+  if (std::ranges::find(known, word) == known.end())
+    for (const std::string& solution : known)
+      if (word.starts_with(solution + "-")) return solution;
   return word;
 }
 
-bool solvesTask(ConsoleRobot& robot, const std::string& task) {
-  for (const ProcessDescription& process : describe(robot))
-    for (const TaskDescription& known : process.tasks)
-      if (known.name == task) return true;
-  return false;
-}
-
 Result<void> switchSolution(Console& console, ConsoleRobot& robot, const std::string& task,
-                            const std::string& solution) {
-  const bool solved = solvesTask(robot, task);
-  const Task* known = solutions().find(task);
-  const bool off = solution == SolutionTable::disabled;
-  const bool here = known && (known->find(solution) || off);
-  if (!here && inReport(task, solution)) {
+                            const std::string& word) {
+  std::optional<std::vector<std::string>> known;  // of the robot, which may be another program
+  for (const ProcessDescription& process : describe(robot))
+    for (const TaskDescription& described : process.tasks)
+      if (described.name == task) known = namesIn(described.solutions);
+  const Task* const here = solutions().find(task);
+  const auto ours = here ? namesIn(here->solutions) : std::vector<std::string>{};
+  const bool off = word == SolutionTable::disabled;
+  const std::string solution = solutionName(known.value_or(ours), word);
+  const auto isIn = [&](const std::vector<std::string>& names) {
+    return off || std::ranges::find(names, solution) != names.end();
+  };
+  if (known && isIn(*known)) return robot.observed().request(SolutionRequest{task, solution});
+  if (!known && here && isIn(ours)) {
+    // What no process of this robot does is disabled already; on a log, the log does it.
+    if (!off) console.print(robot.name() + ": no process of this robot solves " + task);
+    return {};
+  }
+  if (inReport(task, solution)) {
     if (!off)
       console.print(robot.name() + ": this system has no solution " + solution + " of " + task +
                     "; the present one keeps running");
     return {};
   }
-  // What no process of this robot does is disabled already; on a log, the log does it.
-  if (!solved && here) {
-    if (!off) console.print(robot.name() + ": no process of this robot solves " + task);
-    return {};
-  }
-  if (known && !here)
-    return Error{.field = task,
-                 .what = "there is no solution '" + solution + "'; try sr " + task + " ?" +
-                         suggestion(solution, namesIn(known->solutions))};
-  return robot.observed().request(SolutionRequest{task, solution});
+  if (!known && !here) return Error{.field = task, .what = "no process solves this task"};
+  return Error{.field = task,
+               .what = "there is no solution '" + solution + "'; try sr " + task + " ?" +
+                       suggestion(solution, known.value_or(ours))};
 }
 
 std::vector<std::string> tasksOf(ConsoleRobot& robot) {
@@ -219,29 +228,29 @@ Result<void> sr(Console& console, const Words& words) {
     list(console, *lines);
     return {};
   }
-  const std::string solution = solutionName(words[1], words[2]);
   return console.forEachRobot(
-      [&](ConsoleRobot& robot) { return switchSolution(console, robot, words[1], solution); });
+      [&](ConsoleRobot& robot) { return switchSolution(console, robot, words[1], words[2]); });
 }
 
 /// Where generic debug data can go: each task, and each of its solutions.
-std::vector<std::string> idNames(Console&, const Words& before) {
+std::vector<std::string> idNames(Console& console, const Words& before) {
   if (before.size() > 1) return {};
   std::vector<std::string> names{"?"};
-  for (const auto& [name, task] : solutions().tasks()) {
-    names.push_back(name);
-    for (const Solution& solution : task.solutions) names.push_back(name + "." + solution.name);
+  for (const TaskDescription& task : tasksOfFirst(console)) {
+    names.push_back(task.name);
+    for (const SolutionDescription& solution : task.solutions)
+      names.push_back(task.name + "." + solution.name);
   }
   return names;
 }
 
 /// The report's ids name a solution and its task: defaultObstaclesLocator.
-std::string idOf(std::string word) {
-  for (const auto& [name, task] : solutions().tasks())
-    for (const Solution& solution : task.solutions) {
-      std::string id = solution.name + name;
+std::string idOf(Console& console, std::string word) {
+  for (const TaskDescription& task : tasksOfFirst(console))
+    for (const SolutionDescription& solution : task.solutions) {
+      std::string id = solution.name + task.name;
       id.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(id.front())));
-      if (id == word) return name + "." + solution.name;
+      if (id == word) return task.name + "." + solution.name;
     }
   return word;
 }
@@ -255,7 +264,7 @@ Result<void> sg(Console& console, const Words& words) {
   }
   constexpr std::size_t mostNumbers = 10;  // report I.5.3
   if (words.size() > 2 + mostNumbers) return wrongArguments(words);
-  GenericDebugData data{idOf(words[1]), {}};
+  GenericDebugData data{idOf(console, words[1]), {}};
   if (const auto names = idNames(console, {"sg"}); std::ranges::find(names, data.id) == names.end())
     return Error{.field = words[1], .what = "there is no such id; try sg ?"};
   for (std::size_t i = 2; i < words.size(); ++i) {
