@@ -49,6 +49,7 @@ ObservedRobot::ObservedRobot(std::string name, std::unique_ptr<RobotLink> link)
 void ObservedRobot::take(const MessageQueue& messages) {
   messages.handleAllMessages([this](const Message& message) { take(message); });
   if (warnings_.list().size() < mostWarnings) warnings_.add(warningsIn(messages, name_));
+  dropViewers();
   if (messages.empty()) return;
   std::erase_if(takers_, [](const auto& taker) { return taker.expired(); });
   for (std::size_t i = 0; i < takers_.size(); ++i)
@@ -110,7 +111,8 @@ void ObservedRobot::take(ProcessDescription description) {
 }
 
 void ObservedRobot::keep(Time time, Drawing drawing) {
-  if (hidden_.contains(drawing.key)) return;  // on its way when the key was switched off
+  const auto key = keys_.find(drawing.key);
+  if (key != keys_.end() && !key->second.isShown()) return;
   const auto [known, isNew] = drawings_.try_emplace(drawing.key);
   // Several modules may have drawn it at the same time (report E.5).
   const bool sameTime = std::exchange(drawnAt_[drawing.key], time) == time;
@@ -212,18 +214,16 @@ Result<void> ObservedRobot::refusalOf(Time asked) const {
 Result<void> ObservedRobot::request(const DebugRequest& request) {
   const bool off = request.mode == DebugKeyMode::disabled;
   DebugRequest sent = request;
-  const auto key = keys_.find(request.key);
-  if (off && key != keys_.end() && key->second.subscriptions > 0) sent.mode = DebugKeyMode::always;
+  const auto known = keys_.find(request.key);
+  if (off && known != keys_.end() && known->second.subscriptions > 0)
+    sent.mode = DebugKeyMode::always;
   if (auto done = this->request<DebugRequest>(sent); !done) return done;
-  keys_[request.key].byHand = request.mode == DebugKeyMode::times
-                                  ? DebugKeyRequest{}
-                                  : DebugKeyRequest{request.mode, request.n};
-  if (off) {
-    hidden_.insert(request.key);
-    drawings_.erase(request.key);
-  } else {
-    hidden_.erase(request.key);
-  }
+  Key& key = keys_[request.key];
+  key.byHand = request.mode == DebugKeyMode::times ? DebugKeyRequest{}
+                                                   : DebugKeyRequest{request.mode, request.n};
+  key.asked = !off;
+  key.off = off;
+  if (off) drawings_.erase(request.key);
   return {};
 }
 
@@ -234,17 +234,40 @@ Result<void> ObservedRobot::request(const LayoutRequest& request) {
 
 ObservedRobot::Subscription ObservedRobot::subscribeKey(const std::string& key) {
   Key& asked = keys_[key];
-  if (asked.subscriptions++ == 0 && asked.byHand.mode == DebugKeyMode::disabled) {
-    hidden_.insert(key);
-    static_cast<void>(send(DebugRequest{key, DebugKeyMode::always, 0}));
-  }
+  const bool wasWanted = asked.isWanted();
+  ++asked.subscriptions;
+  if (!wasWanted) static_cast<void>(send(DebugRequest{key, DebugKeyMode::always, 0}));
   return {*this, key, &ObservedRobot::dropKey};
 }
 
 void ObservedRobot::dropKey(const std::string& key) {
   Key& asked = keys_[key];
-  if (--asked.subscriptions == 0 && asked.byHand.mode == DebugKeyMode::disabled)
-    static_cast<void>(send(DebugRequest{key, DebugKeyMode::disabled, 0}));
+  --asked.subscriptions;
+  if (!asked.isWanted()) static_cast<void>(send(DebugRequest{key, DebugKeyMode::disabled, 0}));
+}
+
+std::shared_ptr<const void> ObservedRobot::showKey(const std::string& key) {
+  Key& asked = keys_[key];
+  const bool wasWanted = asked.isWanted();
+  auto viewer = std::make_shared<const char>();
+  asked.viewers.push_back(viewer);
+  if (!wasWanted && asked.isWanted())
+    static_cast<void>(send(DebugRequest{key, DebugKeyMode::always, 0}));
+  return viewer;
+}
+
+/// Switches off what nobody views any more. Nobody waits for the answer: somebody may just be
+/// waiting for another one.
+void ObservedRobot::dropViewers() {
+  for (auto& [name, key] : keys_) {
+    const auto gone =
+        std::erase_if(key.viewers, [](const auto& viewer) { return viewer.expired(); });
+    if (gone == 0) continue;
+    if (!key.asked && !key.isViewed()) drawings_.erase(name);
+    const DebugRequest off{name, DebugKeyMode::disabled, 0};
+    if (!key.isWanted())
+      static_cast<void>(representation<DebugRequest>().write(&off, {}, link_->toRobot()));
+  }
 }
 
 // Values of representations.

@@ -1,9 +1,9 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <map>
 #include <memory>
-#include <set>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -71,7 +71,10 @@ class ObservedRobot {
   /// Has the output of a debug key sent for as long as the subscription exists, also after a
   /// request has switched the key off. `drawings()` has none that is drawn for subscriptions alone.
   [[nodiscard]] Subscription subscribeKey(const std::string& key);
-  /// The same by hand: as often as a debug key of this state (command dk).
+  /// Has the drawings of a debug key come for as long as the handle exists, unless the key was
+  /// switched off by a request. The handle may be dropped in any thread, and outlive the robot.
+  [[nodiscard]] std::shared_ptr<const void> showKey(const std::string& key);
+  /// The same as `subscribe` by hand: as often as a debug key of this state (command dk).
   Result<void> watch(const std::string& representation, DebugKeyRequest often);
   /// The representations that the robot can be asked for, sorted; empty if it does not answer.
   const std::vector<std::string>& representations();
@@ -131,7 +134,10 @@ class ObservedRobot {
     return known == drawnAt_.end() ? never() : known->second;
   }
   /// Whether the key of a drawing was switched off here.
-  bool isHidden(const std::string& key) const { return hidden_.contains(key); }
+  bool isHidden(const std::string& key) const {
+    const auto known = keys_.find(key);
+    return known != keys_.end() && known->second.off;
+  }
   /// What was plotted, and the times of stopwatches in us.
   const std::map<std::string, std::deque<Point>>& plots() const { return plots_; }
   /// The texts that came since this was called last.
@@ -161,7 +167,18 @@ class ObservedRobot {
   /// What is asked for of a debug key.
   struct Key {
     DebugKeyRequest byHand{};
+    bool asked = false, off = false;  ///< By hand, last.
     int subscriptions = 0;
+    std::vector<std::weak_ptr<const void>> viewers{};
+
+    bool isWanted() const {
+      return subscriptions > 0 || byHand.mode != DebugKeyMode::disabled || (!off && isViewed());
+    }
+    bool isViewed() const {
+      return std::ranges::any_of(viewers, [](const auto& viewer) { return !viewer.expired(); });
+    }
+    /// What is drawn for subscriptions alone is for others.
+    bool isShown() const { return !off && (asked || isViewed() || subscriptions == 0); }
   };
 
   void take(const Message& message);
@@ -172,6 +189,7 @@ class ObservedRobot {
   void forgetNames();
   void drop(const std::string& representation);
   void dropKey(const std::string& key);
+  void dropViewers();
   Result<void> isKnown(std::string_view representation);
   const void* newest(const RepresentationType& type);
   Result<ConstValue> decoded(const RepresentationType& type);
@@ -197,7 +215,6 @@ class ObservedRobot {
   std::map<std::uint32_t, Newest> newest_;  ///< By the types' ids.
   std::map<std::string, Drawing> drawings_;
   std::map<std::string, Time> drawnAt_;
-  std::set<std::string> hidden_;  ///< Keys of drawings that are not kept.
   std::map<std::string, std::deque<Point>> plots_;
   std::vector<std::string> texts_;
   Findings warnings_;

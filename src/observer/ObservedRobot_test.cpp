@@ -135,6 +135,55 @@ TEST_F(ObservedRobotTest, SubscribesKeysBesideWhatIsAskedForByHand) {
   EXPECT_EQ(link->modes.size(), 5u) << "it stays on, as it was asked for by hand";
 }
 
+TEST_F(ObservedRobotTest, ShowsKeysForAsLongAsTheyAreViewed) {
+  using enum DebugKeyMode;
+  auto first = robot.showKey("Eyes/seen"), second = robot.showKey("Eyes/seen");
+  EXPECT_THAT(link->modes, ElementsAre(always));
+  draw(8, {"Eyes/seen"});
+  EXPECT_EQ(elements("Eyes/seen"), 1u);
+  first.reset();
+  robot.update();
+  EXPECT_EQ(link->modes.size(), 1u) << "somebody still views it";
+  second.reset();
+  robot.update();
+  robot.update();
+  EXPECT_THAT(link->modes, ElementsAre(always, disabled));
+  EXPECT_TRUE(robot.drawings().empty());
+}
+
+TEST_F(ObservedRobotTest, ViewersLeaveKeysAsTheyWereAskedForByHand) {
+  using enum DebugKeyMode;
+  EXPECT_TRUE(robot.request(DebugRequest{"Eyes/seen", everyMs, 100}));
+  auto viewer = robot.showKey("Eyes/seen");
+  viewer.reset();
+  robot.update();
+  robot.update();
+  EXPECT_THAT(link->modes, ElementsAre(everyMs));
+  EXPECT_TRUE(robot.request(DebugRequest{"Eyes/seen", disabled}));
+  viewer = robot.showKey("Eyes/seen");
+  EXPECT_THAT(link->modes, ElementsAre(everyMs, disabled));
+  EXPECT_TRUE(robot.isHidden("Eyes/seen"));
+  draw(16, {"Eyes/seen"});
+  EXPECT_TRUE(robot.drawings().empty()) << "it was switched off";
+  EXPECT_TRUE(robot.request(DebugRequest{"Eyes/seen", times, 1}));
+  draw(24, {"Eyes/seen"});
+  EXPECT_EQ(elements("Eyes/seen"), 1u);
+}
+
+TEST_F(ObservedRobotTest, ViewersSeeWhatIsSubscribedByOthers) {
+  const auto subscription = robot.subscribeKey("Eyes/seen");
+  draw(8, {"Eyes/seen"});
+  EXPECT_TRUE(robot.drawings().empty());
+  EXPECT_FALSE(robot.isHidden("Eyes/seen"));
+  auto viewer = robot.showKey("Eyes/seen");
+  draw(16, {"Eyes/seen"});
+  EXPECT_EQ(elements("Eyes/seen"), 1u);
+  viewer.reset();
+  robot.update();
+  robot.update();
+  EXPECT_THAT(link->modes, ElementsAre(DebugKeyMode::always)) << "for the subscription";
+}
+
 TEST_F(ObservedRobotTest, HandsMessagesToAllWhoFollow) {
   int first = 0, second = 0;
   const auto counted = robot.passTo([&](const MessageQueue&) { ++first; });

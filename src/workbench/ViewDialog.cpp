@@ -111,10 +111,10 @@ void ViewDialog::refresh() {
         ObservedRobot* const first = subject.robots.empty() ? nullptr : subject.robots.front();
         if (first && (prepared->robot != first || prepared->beginnings != beginnings ||
                       prepared->keys != keys)) {
-          *prepared = {first, beginnings, keys, first->debugKeys(), {}, {}};
           // A robot that does not know a key draws nothing for it.
-          for (const std::string& key : keys)
-            static_cast<void>(first->request(DebugRequest{key, DebugKeyMode::always, 0}));
+          std::vector<std::shared_ptr<const void>> shown;
+          for (const std::string& key : keys) shown.push_back(first->showKey(key));
+          *prepared = {first, beginnings, keys, first->debugKeys(), std::move(shown), {}, {}};
         }
         if (!first) prepared->hints.clear();
         if (first && (!prepared->looked.isValid() || prepared->looked.elapsed() > hintInterval)) {

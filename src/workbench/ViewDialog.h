@@ -51,6 +51,7 @@ class ViewDialog : public Dialog {
     const void* robot = nullptr;
     std::uint64_t beginnings = 0;
     std::vector<std::string> keys, known;
+    std::vector<std::shared_ptr<const void>> shown;  ///< Keeps the keys on.
     std::vector<DrawingHint> hints;
     QElapsedTimer looked;  ///< For them.
   };

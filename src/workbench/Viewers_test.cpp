@@ -79,5 +79,26 @@ TEST_F(WindowTest, EightImagesShowRobotsOfTheirOwn) {
   EXPECT_NE(own->sheet().image(1), classes->sheet().image(1));
 }
 
+// Whoever watches a robot costs it nothing any more once he is gone.
+TEST_F(WindowTest, RobotsDrawForViewersOnlyWhileTheyAreOpen) {
+  const std::string key = "ImageProcessor/horizon";
+  const auto draws = [&](bool wanted) {
+    return until([&] {
+      return execute("run 80 ms") &&
+             wanted == on([&](Console& console) {
+               return (*console.firstRobot())->observed().drawings().contains(key);
+             });
+    });
+  };
+  Dialog* dialog = window->open("image");
+  ASSERT_TRUE(draws(true));
+  dialog->parentWidget()->close();
+  EXPECT_TRUE(draws(false));
+  window->open("image");
+  EXPECT_TRUE(draws(true));
+  ASSERT_TRUE(execute("dk " + key + " off"));
+  EXPECT_TRUE(draws(false)) << "as the person wants it";
+}
+
 }  // namespace
 }  // namespace gt
