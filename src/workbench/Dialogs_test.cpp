@@ -40,7 +40,25 @@ TEST_F(DialogTest, DebugKeysAreSentByTheButton) {
   EXPECT_FALSE(on(drawn));
   dialog->restore(settings);
   EXPECT_EQ(dialog->settings(), settings);
-  EXPECT_EQ(widget<QTableWidget>("debugKeys", "table")->item(0, 2)->text(), "not yet");
+  const auto sent = [&] {
+    return widget<QTableWidget>("debugKeys", "table")->item(0, 2)->text().toStdString();
+  };
+  EXPECT_EQ(sent(), "not yet");
+  click("debugKeys", "send");
+  EXPECT_TRUE(until([&] { return sent() == "yes"; }));
+}
+
+TEST_F(DialogTest, DebugKeysTellWhatTheRobotRefusesAndOfferItsOwn) {
+  window->bringToFront("debugKeys");
+  auto* key = widget<QComboBox>("debugKeys", "key");
+  EXPECT_TRUE(until([&] { return key->findText("ImageProcessor/grid") >= 0; }));
+  key->setEditText("ImageProcessor/nonsense");
+  click("debugKeys", "always");
+  click("debugKeys", "send");
+  const auto* table = widget<QTableWidget>("debugKeys", "table");
+  EXPECT_TRUE(until([&] { return table->item(0, 2)->text() == "refused"; }));
+  EXPECT_THAT(table->item(0, 2)->toolTip().toStdString(),
+              ::testing::HasSubstr("there is no such debug key"));
 }
 
 TEST_F(DialogTest, SolutionsAreSwitched) {

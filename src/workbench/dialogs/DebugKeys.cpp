@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/Lines.h"
 #include "workbench/Dialog.h"
 
 namespace gt {
@@ -79,11 +80,6 @@ class DebugKeys : public Dialog {
     key_->completer()->setCompletionMode(QCompleter::PopupCompletion);
     key_->completer()->setFilterMode(Qt::MatchContains);
     key_->setToolTip("A debug key, or send and the name of a representation");
-    QStringList keys;
-    for (const DebugKey& key : DebugKey::all())
-      keys << QString::fromUtf8(key.name().data(), static_cast<qsizetype>(key.name().size()));
-    keys.sort();
-    key_->addItems(keys);
     layout->addWidget(key_);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(2);
@@ -135,7 +131,7 @@ class DebugKeys : public Dialog {
     auto* off = new QPushButton{"Disable all"};
     off->setObjectName("disableAll");
     QObject::connect(off, &QPushButton::clicked, this, [this] {
-      for (auto& [key, entry] : tables_[kind_]) entry = {0, 1, false};
+      for (auto& [key, entry] : tables_[kind_]) entry = {};
       showTable();
     });
     auto* send = new QPushButton{"Send"};
@@ -164,7 +160,7 @@ class DebugKeys : public Dialog {
       for (const QJsonValue row : settings["tables"][robotKinds[kind]].toArray()) {
         const int mode = row[1].toInt();
         if (mode > 0 && mode < static_cast<int>(std::size(modes)))
-          tables_[kind][row[0].toString()] = {mode, std::max(1, row[2].toInt()), false};
+          tables_[kind][row[0].toString()] = {mode, std::max(1, row[2].toInt())};
       }
     }
     all_->setChecked(settings["all"].toBool());
@@ -177,26 +173,48 @@ class DebugKeys : public Dialog {
     if (connected != status.robots.end() && connected->name != connected_) {
       connected_ = connected->name;
       group_->button(connected->kind == RobotKind::physical ? 1 : 0)->click();
+      offerKeys();
     }
     if (status.beginnings == beginnings_) return;
     beginnings_ = status.beginnings;
+    offerKeys();
     for (auto& table : tables_)
-      for (auto& [key, entry] : table) entry.sent = false;
+      for (auto& [key, entry] : table) entry.sent = Sent::no;
     filled_.clear();
     showTable();
   }
 
  private:
+  enum class Sent { no, yes, refused };
   struct Entry {
     int mode = 0;
     int n = 1;
-    bool sent = false;
+    Sent sent = Sent::no;
+    QString why{};  ///< It was refused.
   };
+
+  /// Offers the keys of the connected robot, which may be another program.
+  void offerKeys() {
+    session().ask(
+        this,
+        [](Console& console) -> std::vector<std::string> {
+          const auto robot = console.firstRobot();
+          return robot ? (*robot)->observed().debugKeys() : std::vector<std::string>{};
+        },
+        [this](const std::vector<std::string>& keys) {
+          if (keys == offered_) return;
+          offered_ = keys;
+          const QString typed = key_->currentText();
+          key_->clear();
+          for (const std::string& key : keys) key_->addItem(QString::fromStdString(key));
+          key_->setEditText(typed);
+        });
+  }
 
   void set(const Mode& mode) {
     const QString key = key_->currentText().trimmed();
     if (key.isEmpty()) return;
-    tables_[kind_][key] = {static_cast<int>(&mode - modes), n_->value(), false};
+    tables_[kind_][key] = {static_cast<int>(&mode - modes), n_->value()};
     showTable();
   }
 
@@ -210,7 +228,10 @@ class DebugKeys : public Dialog {
       table_->setItem(row, 0, new QTableWidgetItem{key});
       table_->setItem(
           row, 1, new QTableWidgetItem{entry.mode == 2 ? QString{"%1 times"}.arg(entry.n) : when});
-      table_->setItem(row, 2, new QTableWidgetItem{entry.sent ? "yes" : "not yet"});
+      constexpr const char* sent[] = {"not yet", "yes", "refused"};
+      auto* item = new QTableWidgetItem{sent[static_cast<int>(entry.sent)]};
+      item->setToolTip(entry.why);
+      table_->setItem(row, 2, item);
     }
   }
 
@@ -220,15 +241,13 @@ class DebugKeys : public Dialog {
           std::string{"to "} + (all_->isChecked() ? "all" : "") +
           (kind == 0 ? (all_->isChecked() ? "SimulatedRobots" : "simulatedRobot")
                      : (all_->isChecked() ? "PhysicalRobots" : "physicalRobot"));
-      for (auto entry = tables_[kind].begin(); entry != tables_[kind].end();) {
-        auto& [key, state] = *entry;
-        if (!state.sent) {
-          const QString when =
-              QString{modes[state.mode].command}.replace("%1", QString::number(state.n));
-          session().execute(queue + " dk " + key.toStdString() + " " + when.toStdString());
-          state.sent = true;
-        }
-        entry = state.mode == 0 ? tables_[kind].erase(entry) : std::next(entry);
+      for (const auto& [key, entry] : tables_[kind]) {
+        if (entry.sent == Sent::yes) continue;
+        const QString when =
+            QString{modes[entry.mode].command}.replace("%1", QString::number(entry.n));
+        session().execute(
+            queue + " dk " + quotedWord(key.toStdString()) + " " + when.toStdString(), this,
+            [this, kind, key, entry](const Result<void>& done) { note(kind, key, entry, done); });
       }
     }
     const std::string fill = fill_->currentData()
@@ -240,9 +259,23 @@ class DebugKeys : public Dialog {
     showTable();
   }
 
+  /// What became of an entry that was sent, if it is still the same. One that is off is listed no
+  /// longer.
+  void note(int kind, const QString& key, const Entry& sent, const Result<void>& done) {
+    const auto entry = tables_[kind].find(key);
+    if (entry == tables_[kind].end() || entry->second.mode != sent.mode ||
+        entry->second.n != sent.n)
+      return;
+    entry->second.sent = done ? Sent::yes : Sent::refused;
+    entry->second.why = done ? QString{} : QString::fromStdString(done.error().text());
+    if (done && sent.mode == 0) tables_[kind].erase(entry);
+    showTable();
+  }
+
   QButtonGroup* group_;
   QCheckBox* all_;
   QComboBox* key_;
+  std::vector<std::string> offered_;
   QSpinBox* n_;
   QTableWidget* table_;
   QComboBox* fill_;
