@@ -6,7 +6,6 @@
 #include <csignal>
 #include <optional>
 
-#include "JoystickDevice.h"
 #include "LineEditor.h"
 #include "TerminalScreen.h"
 #include "base/EndSignals.h"
@@ -48,23 +47,14 @@ class InputLines {
   std::string text_;
 };
 
-/// One program with its console, screen and joystick.
+/// One program with its console and screen.
 class ConsoleProgram {
  public:
   explicit ConsoleProgram(Session& session, TerminalScreen& screen)
       : console_{session}, screen_{screen}, signals_{[&session] { session.interrupt(); }} {}
-  ~ConsoleProgram() { console_.session().setInput({}); }
   ConsoleProgram(const ConsoleProgram&) = delete;
   ConsoleProgram& operator=(const ConsoleProgram&) = delete;
 
-  /// Reads a joystick while time passes.
-  Result<void> connect(const std::string& joystick) {
-    auto device = JoystickDevice::open(joystick);
-    if (!device) return device.error();
-    joystick_ = std::move(*device);
-    console_.session().setInput([this] { joystick_->update(console_); });
-    return {};
-  }
   /// Scripts and commands of the command line; the first error ends them.
   Result<void> runAll(const ConsoleOptions& options) {
     if (auto done = console_.callStartScript(); !done) return done;
@@ -167,7 +157,6 @@ class ConsoleProgram {
   Console console_;
   TerminalScreen& screen_;
   EndSignals signals_;
-  std::unique_ptr<JoystickDevice> joystick_;
   std::string prompt_;
   bool terminalClosed_ = false;
 };
@@ -183,9 +172,8 @@ int runConsole(const ConsoleOptions& options) {
   }
   screen.watch(**session);
   ConsoleProgram program{**session, screen};
-  Result<void> done = options.joystick.empty() ? Result<void>{} : program.connect(options.joystick);
-  if (done && !options.foxglove.endpoint.empty())
-    done = (*session)->serveFoxglove(options.foxglove);
+  Result<void> done;
+  if (!options.foxglove.endpoint.empty()) done = (*session)->serveFoxglove(options.foxglove);
   if (done) done = program.runAll(options);
   const bool scripted = !options.scripts.empty() || !options.commands.empty();
   if (done && !scripted && !program.ended()) {

@@ -12,7 +12,6 @@ struct ConsoleOptions {
   MatchOptions match;
   std::vector<std::string> scripts;   ///< Executed one after another, before anything is typed.
   std::vector<std::string> commands;  ///< Likewise, behind them.
-  std::string joystick;               ///< Device, such as /dev/input/js0; none if empty.
   FoxgloveAccess foxglove;
 };
 

@@ -84,7 +84,14 @@ void addConsole(CLI::App& command, gt::ConsoleOptions& console) {
   command.add_option("--script", console.scripts, "Scripts to execute instead of what is typed");
   command.add_option("-c,--command", console.commands, "Commands to execute, behind the scripts")
       ->allow_extra_args(false);
-  command.add_option("--joystick", console.joystick, "Device, such as /dev/input/js0");
+  command
+      .add_option_function<std::string>("--joystick",
+                                        [](const std::string&) {
+                                          throw CLI::ValidationError{
+                                              "--joystick",
+                                              "is gone: the command joystick on reads a joystick"};
+                                        })
+      ->group("");  // in no help
   addFoxglove(command, console.foxglove);
 }
 

@@ -1,6 +1,9 @@
 #include "console/TestSession.h"
 #include "representations/behavior/MotionRequest.h"
 #include "representations/infrastructure/Joints.h"
+#if __has_include(<SDL2/SDL.h>)
+#include "support/VirtualJoystick.h"
+#endif
 
 namespace gt {
 namespace {
@@ -57,6 +60,26 @@ TEST_F(JoystickCommands, MovesRobotsByASchemeOfTheReport) {
   expectError("joystick on", "joystick", "none is plugged in");
   expectFine("joystick off");
 }
+
+#if __has_include(<SDL2/SDL.h>)
+TEST_F(JoystickCommands, ThisMachinesJoystickSteersDuringARun) {
+  VirtualJoystick joystick;
+  expectFine("sr BehaviorControl disabled");
+  expectFine("jbc 2 place ball 1234 0");
+  expectFine("joystick on");
+  SDL_JoystickSetVirtualButton(*joystick, 1, 1);
+  expectFine("until ball.x == 1234 within 5");
+  SDL_JoystickSetVirtualButton(*joystick, 1, 0);
+  SDL_JoystickSetVirtualAxis(*joystick, 1, -32768);
+  expectFine("until red1.walked > 100 within 20");
+  // Released within the time in which no second command is sent, it stops nevertheless.
+  SDL_JoystickSetVirtualAxis(*joystick, 1, -16000);
+  expectFine("run 8 ms");
+  SDL_JoystickSetVirtualAxis(*joystick, 1, 0);
+  expectFine("until red1.MotionRequest.walk.translation.x == 0 within 5");
+  expectFine("joystick off");
+}
+#endif
 
 }  // namespace
 }  // namespace gt

@@ -1,7 +1,6 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <linux/joystick.h>
 #include <poll.h>
 #include <pty.h>
 #include <signal.h>
@@ -37,15 +36,14 @@ const TemporaryFolder stateFolder;
 /// The program with its console in a terminal of 24 lines.
 class Terminal {
  public:
-  explicit Terminal(const char* joystick = nullptr) {
+  Terminal() {
     const winsize size{24, 100, 0, 0};
     pid_ = forkpty(&terminal_, nullptr, nullptr, &size);
     if (pid_ != 0) return;
     setenv("TERM", "xterm", 1);
     unsetenv("INPUTRC");
     setenv("XDG_STATE_HOME", stateFolder.path().c_str(), 1);
-    execl(simgt.c_str(), simgt.c_str(), "console", scene, joystick ? "--joystick" : nullptr,
-          joystick, nullptr);
+    execl(simgt.c_str(), simgt.c_str(), "console", scene, nullptr);
     _exit(127);
   }
   ~Terminal() {
@@ -216,57 +214,6 @@ TEST(Terminal, InterruptsKeepEverything) {
   terminal.type(interruptKey);  // a line that is typed is thrown away
   terminal.until(prompt);
   EXPECT_EQ(terminal.exit(), 0);
-}
-
-/// A pipe in the place of a joystick's device: the program reads the same events from it.
-class JoystickPipe {
- public:
-  JoystickPipe() {
-    EXPECT_EQ(mkfifo(path().c_str(), 0600), 0);
-    pipe_ = open(path().c_str(), O_RDWR | O_NONBLOCK);
-  }
-  ~JoystickPipe() { close(pipe_); }
-  JoystickPipe(const JoystickPipe&) = delete;
-  JoystickPipe& operator=(const JoystickPipe&) = delete;
-
-  std::string path() const { return (folder_.path() / "js0").string(); }
-  void send(int type, int number, int value) {
-    const js_event event{0, static_cast<std::int16_t>(value), static_cast<std::uint8_t>(type),
-                         static_cast<std::uint8_t>(number)};
-    ASSERT_EQ(write(pipe_, &event, sizeof event), static_cast<ssize_t>(sizeof event));
-  }
-
- private:
-  TemporaryFolder folder_;
-  int pipe_ = -1;
-};
-
-TEST(Terminal, AJoystickSteersDuringARun) {
-  JoystickPipe joystick;
-  const std::string path = joystick.path();
-  Terminal terminal{path.c_str()};
-  terminal.until(prompt);
-  terminal.type("sr BehaviorControl disabled\njbc 2 place ball 1234 0\n");
-  terminal.type("until red3.walked > 200 and ball.x == 1234 within 100000\n");
-  terminal.until("times real time");
-  joystick.send(JS_EVENT_AXIS, 1, -32767);
-  joystick.send(JS_EVENT_BUTTON, 1, 1);
-  joystick.send(JS_EVENT_BUTTON, 1, 0);
-  terminal.until(prompt);
-  terminal.type("expect red3.walked > 200\nget MotionRequest.walk.translation.x\n");
-  terminal.until("red3: 200");
-  // Released within the time in which no second command is sent, it stops nevertheless.
-  joystick.send(JS_EVENT_AXIS, 1, -16000);
-  joystick.send(JS_EVENT_AXIS, 1, 0);
-  terminal.until(prompt);
-  terminal.type("until MotionRequest.walk.translation.x == 0 within 1000\necho stands\n");
-  terminal.until("\rstands");
-  EXPECT_EQ(terminal.exit(), 0);
-}
-
-TEST(Terminal, AJoystickThatIsNotThereIsAnError) {
-  Terminal terminal{"/nowhere/js0"};
-  terminal.until("/nowhere/js0: cannot be opened");
 }
 
 /// What the program prints if lines are piped in, and its exit status.
