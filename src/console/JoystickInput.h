@@ -13,8 +13,6 @@ class Console;
 /// of axes at most every 300 ms (report J.5.5), of a hat that is held more often.
 class JoystickInput {
  public:
-  static void press(Console& console, int button, bool down);
-  void move(Joystick::Axis axis, double value) { axes_[axis] = value; }
   /// Takes all that has happened on a device.
   void take(Console& console, SdlJoystick& device);
   /// Passes the axes on if that is due.
@@ -23,6 +21,9 @@ class JoystickInput {
  private:
   using Clock = std::chrono::steady_clock;
   using Axes = EnumArray<Joystick::Axis, double>;
+
+  static void press(Console& console, int button, bool down);
+  void move(Joystick::Axis axis, double value) { axes_[axis] = value; }
 
   Axes axes_, sent_;
   Time sentAt_ = never();
