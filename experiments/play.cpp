@@ -74,7 +74,8 @@ Result<Measurement> playAlone(const Job& job, const DataRoot& root) {
   return measured;
 }
 
-/// A striker alone with a ball, both anywhere, until it has scored.
+/// A striker alone with a ball, both anywhere but in its own penalty area, where it must not play,
+/// until it has scored.
 Result<Measurement> playStriker(const Job& job, const DataRoot& root) {
   auto match = matchOnScene(job, root, "scenes/one-robot.scene");
   if (!match) return match.error();
@@ -82,8 +83,14 @@ Result<Measurement> playStriker(const Job& job, const DataRoot& root) {
   const FieldDimensions& field = *(*match)->configuration().field;
   Random random = Random{job.seed}.fork("start");
   const auto anywhere = [&] {
-    return Vector2d{(field.xGroundline - 300) * random.symmetric(),
-                    (field.ySideline - 250) * random.symmetric()};
+    constexpr double room = 100;  // mm, that a robot keeps off its area
+    for (;;) {
+      const Vector2d place{(field.xGroundline - 300) * random.symmetric(),
+                           (field.ySideline - 250) * random.symmetric()};
+      const bool inArea =
+          place.x() < room - field.xPenaltyArea && std::abs(place.y()) < field.yPenaltyArea + room;
+      if (!inArea) return place;
+    }
   };
   const Vector2d start = anywhere();
   simulation.world().placeRobot(0, {pi * random.symmetric(), start});
@@ -132,16 +139,17 @@ Experiment experiment(const char* name, const char* description,
 }  // namespace
 
 Experiments playExperiments() {
-  return {experiment("play.match", "How two teams play: what becomes of kicks, roles, penalties",
-                     withValues<playBoth>,
-                     {{"minutes", "both halves together", Parameter::Kind::number, {"10"}}}),
-          experiment("play.siege", "How many goals a goalie alone lets in against two strikers",
-                     withValues<playSiege>),
-          experiment("play.alone", "How often a team without opponents scores in ten minutes",
-                     withValues<playAlone>),
-          experiment("play.striker", "How soon a striker alone scores, from anywhere",
-                     withValues<playStriker>),
-          experiment("play.shootOut", "How many penalty shots score", withValues<playShootOut>)};
+  return {
+      experiment("play.match", "How two teams play: what becomes of kicks, roles, penalties",
+                 withValues<playBoth>,
+                 {{"minutes", "both halves together", Parameter::Kind::number, {"10"}}}),
+      experiment("play.siege", "How many goals a goalie alone lets in against two strikers",
+                 withValues<playSiege>),
+      experiment("play.alone", "How often a team without opponents scores in ten minutes",
+                 withValues<playAlone>),
+      experiment("play.striker", "How soon a striker alone scores, from anywhere but its own area",
+                 withValues<playStriker>),
+      experiment("play.shootOut", "How many penalty shots score", withValues<playShootOut>)};
 }
 
 }  // namespace gt
