@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 
 #include "base/Suggestion.h"
 #include "console/Commands.h"
@@ -159,10 +160,11 @@ Result<void> view(Console& console, const Words& words) {
   return defineView(console, name, words);
 }
 
-std::vector<std::string> elementNames(Console&, const Words& before) {
+std::vector<std::string> elementNames(Console& console, const Words& before) {
   if (before.size() < 3) return {};
   auto names = before[2] == "image" ? imageViewElements : fieldViewElements;
-  for (const DebugKey& key : DebugKey::all()) names.emplace_back(key.name());
+  if (const auto robot = console.firstRobot())
+    std::ranges::copy((*robot)->observed().debugKeys(), std::back_inserter(names));
   return names;
 }
 

@@ -254,8 +254,10 @@ class DebugKeys : public Dialog {
                                  .toString()
                                  .replace("%1", QString::number(seconds_->value()))
                                  .toStdString();
-    if (fill != filled_ && !(filled_.empty() && fill == "queue")) session().execute("qfr " + fill);
-    filled_ = fill;
+    if (fill != filled_ && !(filled_.empty() && fill == "queue"))
+      session().execute("qfr " + fill, this, [this, fill](const Result<void>& done) {
+        if (done) filled_ = fill;
+      });
     showTable();
   }
 
