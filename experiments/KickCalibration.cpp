@@ -35,7 +35,7 @@ Result<void> calibrateKicks(const std::vector<std::string>& kicks, const std::st
   for (const std::string& name : kicks.empty() ? kicksIn(paths.motions) : kicks) {
     if (net->find(name) <= 0)
       return Error{.field = name, .what = "is no motion of " + paths.motions};
-    const auto described = measureKick(name, *net, paths.motions, kickSeeds(), root, threads);
+    const auto described = measureKick(name, *net, paths.motions, root, threads);
     if (!described) return described.error();
     fmt::print("{}: {}\n", name, described->why);
     std::fflush(stdout);

@@ -193,6 +193,17 @@ def test_a_figure_that_is_not_measured_is_told(tmp_path: Path) -> None:
     assert "kalman.error.maen: is not measured by the job" in told.stderr.splitlines()[-1]
 
 
+def test_a_figure_that_is_missing_on_some_seeds_fails_there(tmp_path: Path) -> None:
+    (tmp_path / "short.toml").write_text(TEXT)
+    found = study.load(tmp_path / "short.toml")
+    laboratory = study._Laboratory(found, tmp_path, study.Processes(1))
+    name = found.figure[0].name
+    laboratory.units[name] = "mm"  # another job has measured it
+    assert laboratory.cost({name: 2.0}) == pytest.approx(2.0 * found.figure[0].weight / found.figure[0].unit)
+    assert laboratory.cost({"another": 1.0}) == study.FAILED
+    assert laboratory.cost(None) == study.FAILED
+
+
 def test_results_of_another_program_are_refused(tmp_path: Path) -> None:
     file = tmp_path / "short.toml"
     file.write_text(TEXT)

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <set>
@@ -17,6 +18,9 @@ namespace gt {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::array<std::uint64_t, 12> seeds{101, 102, 103, 104, 105, 106,
+                                              107, 108, 109, 110, 111, 112};
 
 /// A robot that stands before a ball, with floor, masses and servos of chance.
 Result<std::unique_ptr<MovedRobot>> kicker(const std::string& motions, std::uint64_t seed,
@@ -82,13 +86,8 @@ std::string cacheFile(const std::string& motion, const std::string& made,
 
 }  // namespace
 
-std::vector<std::uint64_t> kickSeeds() {
-  return {101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 111, 112};
-}
-
 Result<DescribedKick> measureKick(const std::string& motion, const MotionNet& net,
-                                  const std::string& motions,
-                                  const std::vector<std::uint64_t>& seeds, const DataRoot& root,
+                                  const std::string& motions, const DataRoot& root,
                                   unsigned threads) {
   using Trials = std::vector<GridTrial>;
   const auto measure = [&](std::uint64_t seed, const Trials* near) -> Result<Trials> {
@@ -98,8 +97,7 @@ Result<DescribedKick> measureKick(const std::string& motion, const MotionNet& ne
     return tryGrid(**robot, motion, random, near);
   };
   // Two robots look where it plays balls at all; all of them, how.
-  auto looked = inParallel(std::min<std::size_t>(2, seeds.size()), threads,
-                           [&](std::size_t i) { return measure(seeds[i], nullptr); });
+  auto looked = inParallel(2, threads, [&](std::size_t i) { return measure(seeds[i], nullptr); });
   Trials near;
   for (auto& trials : looked) {
     if (!trials) return trials.error();
@@ -149,7 +147,7 @@ Result<KickTable> kicksOfMotions(const MotionNet& net, const ConfigurationPaths&
     }
     std::fprintf(stderr, "measuring what the kick %s does, which is in no table as it is\n",
                  name.c_str());
-    auto measured = measureKick(name, net, paths.motions, kickSeeds(), root, threads);
+    auto measured = measureKick(name, net, paths.motions, root, threads);
     if (!measured) return measured.error();
     KickTable one;
     if (!measured->kick.places.empty()) one.kicks.push_back(measured->kick);

@@ -12,14 +12,11 @@
 
 namespace gt {
 
-/// The robots by which kicks are measured, each put together in another way.
-std::vector<std::uint64_t> kickSeeds();
-
 /// Measures in the dynamic fidelity, under `padova`, what one of a folder's motions does with balls
-/// around it: by a robot for each seed. The same in, the same out, with any number of threads.
+/// around it: by twelve robots, each put together in another way. The same in, the same out, with
+/// any number of threads.
 Result<DescribedKick> measureKick(const std::string& motion, const MotionNet& net,
-                                  const std::string& motions,
-                                  const std::vector<std::uint64_t>& seeds, const DataRoot& root,
+                                  const std::string& motions, const DataRoot& root,
                                   unsigned threads);
 
 /// What the kicks of a folder's motions do, for the kinematic fidelity: the row of a table that was
