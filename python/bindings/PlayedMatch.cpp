@@ -134,7 +134,7 @@ std::vector<std::string> PlayedMatch::robotNames() {
   return names;
 }
 
-std::vector<std::string> PlayedMatch::allOr(const std::string& robot) {
+std::vector<std::string> PlayedMatch::namedOrAll(const std::string& robot) {
   if (robot.empty()) return {};
   const std::vector<std::string> known = robotNames();
   if (std::ranges::find(known, robot) == known.end())
@@ -151,7 +151,7 @@ std::string PlayedMatch::console(const std::string& line, const std::string& rob
   if (std::ranges::find(notForPython, words.front()) != std::end(notForPython))
     throw Failure{Error{.field = words.front(),
                         .what = "is not for a match of Python, which it would end or replace"}};
-  const std::vector<std::string> robots = allOr(robot);
+  const std::vector<std::string> robots = namedOrAll(robot);
   requireRest();
   Result<void> done;
   screen_.printed.emplace();
@@ -171,7 +171,8 @@ std::string PlayedMatch::console(const std::string& line, const std::string& rob
 nb::object PlayedMatch::picture(const std::string& view, const std::string& robot,
                                 const std::vector<double>& numbers, const std::string& file) {
   ViewSubject subject = console_->viewSubject();
-  for (const std::string& name : allOr(robot)) subject.robots = {&session_->find(name)->observed()};
+  for (const std::string& name : namedOrAll(robot))
+    subject.robots = {&session_->find(name)->observed()};
   const auto views = console_->views();
   const auto found = std::ranges::find(views, view, [](const auto& v) { return v->name(); });
   if (found == views.end()) {

@@ -86,7 +86,7 @@ class PlayedMatch {
 
   void requireRest() const;
   /// The robot of this name, which must be there; none, for all of them, if it is empty.
-  std::vector<std::string> allOr(const std::string& robot);
+  std::vector<std::string> namedOrAll(const std::string& robot);
   const Joined* findJoined(std::size_t robot, const std::string& task,
                            const std::string& name) const;
   nanobind::object join(std::size_t robot, const std::string& task, nanobind::handle made);
