@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "simulation/camera/CameraView.h"
+#include "simulation/scene/MuJoCo.h"
 #include "simulation/scene/Scene.h"
-#include "simulation/world/MuJoCo.h"
 
 namespace gt {
 

@@ -8,10 +8,10 @@
 #include <map>
 #include <utility>
 
+#include "base/File.h"
 #include "framework/Requests.h"
 #include "match/Match.h"
 #include "robot/Solutions.h"
-#include "streams/File.h"
 
 namespace gt {
 namespace {

@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "base/ChildProgram.h"
+#include "base/TemporaryFolder.h"
 #include "match/Match.h"
-#include "streams/TemporaryFolder.h"
 
 namespace gt {
 namespace {

@@ -4,13 +4,13 @@
 #include <map>
 #include <sstream>
 
+#include "base/File.h"
 #include "base/Lines.h"
+#include "base/LinkFiles.h"
 #include "framework/UnknownNames.h"
 #include "robot/ConfigFolder.h"
 #include "robot/Solutions.h"
 #include "robot/TeamSolutions.h"
-#include "streams/File.h"
-#include "streams/LinkFiles.h"
 
 namespace gt {
 namespace {

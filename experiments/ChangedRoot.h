@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "base/DataRoot.h"
+#include "base/TemporaryFolder.h"
+#include "match/teams/TeamFolder.h"
 #include "measure/Experiment.h"
-#include "robot/TeamFolder.h"
-#include "streams/TemporaryFolder.h"
 
 namespace gt {
 

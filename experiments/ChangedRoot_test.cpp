@@ -2,11 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include "base/File.h"
 #include "modules/motion/specialactions/MotionNetLoader.h"
 #include "modules/motion/walking/InvKinWalkingEngine.h"
 #include "robot/Configuration.h"
 #include "streams/Config.h"
-#include "streams/File.h"
 
 namespace gt {
 namespace {

@@ -5,12 +5,12 @@
 
 #include "CollisionWatch.h"
 #include "Experiments.h"
+#include "base/File.h"
 #include "base/InParallel.h"
 #include "base/Statistics.h"
 #include "modules/motion/collisions/MotorModelCollisionDetector.h"
 #include "modules/motion/collisions/ReportCollisionDetector.h"
 #include "streams/Config.h"
-#include "streams/File.h"
 
 namespace gt {
 namespace {

@@ -6,11 +6,11 @@
 #include <filesystem>
 
 #include "Experiments.h"
+#include "base/File.h"
+#include "match/teams/TeamFolder.h"
 #include "measure/worlds/KickTables.h"
 #include "modules/motion/specialactions/MotionNetLoader.h"
-#include "robot/TeamFolder.h"
 #include "streams/Config.h"
-#include "streams/File.h"
 
 namespace gt {
 

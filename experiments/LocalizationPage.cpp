@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "streams/File.h"
+#include "base/File.h"
 
 namespace gt {
 namespace {

@@ -4,10 +4,10 @@
 
 #include "CollisionWatch.h"
 #include "Experiments.h"
+#include "base/File.h"
 #include "base/InParallel.h"
 #include "modules/perception/processors/PostureModel.h"
 #include "streams/Config.h"
-#include "streams/File.h"
 
 namespace gt {
 namespace {

@@ -2,8 +2,8 @@
 #include <sstream>
 
 #include "match/Match.h"
+#include "match/teams/TeamFolder.h"
 #include "measure/Experiment.h"
-#include "robot/TeamFolder.h"
 
 namespace gt {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "Experiments.h"
+#include "match/teams/TeamFolder.h"
 #include "robot/ProjectVersion.h"
-#include "robot/TeamFolder.h"
 
 namespace gt {
 

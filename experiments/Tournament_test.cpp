@@ -5,8 +5,8 @@
 #include <set>
 
 #include "Experiments.h"
-#include "streams/File.h"
-#include "streams/TemporaryFolder.h"
+#include "base/File.h"
+#include "base/TemporaryFolder.h"
 
 namespace gt {
 namespace {

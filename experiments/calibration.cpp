@@ -6,13 +6,13 @@
 #include "ChangedRoot.h"
 #include "Experiments.h"
 #include "Profiles.h"
+#include "base/File.h"
 #include "measure/worlds/GameViews.h"
 #include "modules/perception/calibration/CheckerboardDetector.h"
 #include "modules/perception/processors/DefaultSensorDataProcessor.h"
 #include "modules/perception/testing/FoundPercepts.h"
 #include "simulation/Simulation.h"
 #include "streams/Config.h"
-#include "streams/File.h"
 
 namespace gt {
 namespace {

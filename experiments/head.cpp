@@ -8,7 +8,7 @@
 #include "WorldModelWatch.h"
 #include "framework/Requests.h"
 #include "match/SimulatedRobot.h"
-#include "modules/behavior/control/BehaviorControlRequest.h"
+#include "representations/behavior/BehaviorControlRequest.h"
 #include "robot/Configuration.h"
 
 namespace gt {

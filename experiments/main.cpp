@@ -14,13 +14,13 @@
 #include "Experiments.h"
 #include "Tournament.h"
 #include "base/EndSignals.h"
+#include "base/File.h"
 #include "base/InParallel.h"
 #include "base/OutputLock.h"
 #include "commandline/CommandLine.h"
 #include "crash/CrashHandler.h"
 #include "measure/RunJobs.h"
 #include "robot/ProjectVersion.h"
-#include "streams/File.h"
 
 namespace gt {
 

@@ -6,7 +6,7 @@
 #include "Experiments.h"
 #include "Profiles.h"
 #include "measure/Tally.h"
-#include "modules/behavior/control/BehaviorControlRequest.h"
+#include "representations/behavior/BehaviorControlRequest.h"
 
 namespace gt {
 namespace {

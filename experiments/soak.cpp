@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "Experiments.h"
-#include "simulation/TestChaos.h"
+#include "simulation/objects/TestChaos.h"
 
 namespace gt {
 namespace {

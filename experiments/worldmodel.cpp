@@ -10,7 +10,7 @@
 #include "WorldModelWatch.h"
 #include "simulation/sensors/CeilingCamera.h"
 #include "simulation/sensors/CeilingTracker.h"
-#include "streams/Mcap.h"
+#include "streams/mcap/Mcap.h"
 
 namespace gt {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "streams/File.h"
+#include "base/File.h"
 
 namespace gt {
 namespace {

@@ -3,11 +3,11 @@
 #include <map>
 #include <set>
 
+#include "base/File.h"
+#include "images/Jpeg.h"
+#include "logs/NaoLog.h"
 #include "measure/worlds/GameViews.h"
-#include "robot/logs/NaoLog.h"
-#include "streams/File.h"
-#include "streams/Jpeg.h"
-#include "streams/Mcap.h"
+#include "streams/mcap/Mcap.h"
 
 namespace gt {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <fstream>
 
+#include "base/File.h"
 #include "commandline/CommandLine.h"
 #include "crash/Symbolizer.h"
-#include "streams/File.h"
 
 namespace {
 

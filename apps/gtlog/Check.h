@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "observer/LogSelection.h"
+#include "logs/LogSelection.h"
 
 namespace gt {
 

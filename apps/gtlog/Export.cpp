@@ -10,7 +10,7 @@
 #include <optional>
 #include <set>
 
-#include "streams/File.h"
+#include "base/File.h"
 
 namespace gt {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdio>
 
-#include "observer/LogSelection.h"
+#include "logs/LogSelection.h"
 
 namespace gt {
 

@@ -6,14 +6,14 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/File.h"
 #include "gtlog/Check.h"
 #include "gtlog/Export.h"
 #include "gtlog/LogList.h"
-#include "observer/LogTransfer.h"
+#include "logs/ImportNaoLog.h"
+#include "logs/LogTransfer.h"
 #include "representations/infrastructure/Image.h"
 #include "representations/modeling/BallModel.h"
-#include "robot/logs/ImportNaoLog.h"
-#include "streams/File.h"
 #include "streams/Json.h"
 #include "support/McapConformance.h"
 #include "support/McapVariants.h"

@@ -1,5 +1,5 @@
 #pragma once
-#include "observer/LogSelection.h"
+#include "logs/LogSelection.h"
 
 namespace gt {
 

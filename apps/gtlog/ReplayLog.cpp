@@ -10,12 +10,12 @@
 #include <string_view>
 
 #include "base/Number.h"
-#include "observer/LogSelection.h"
-#include "observer/MessageTypes.h"
-#include "observer/RobotLog.h"
+#include "base/UnfinishedFile.h"
+#include "logs/LogSelection.h"
+#include "logs/MessageTypes.h"
+#include "logs/RobotLog.h"
 #include "representations/behavior/MotionRequest.h"
 #include "robot/SetupFiles.h"
-#include "streams/UnfinishedFile.h"
 
 namespace gt {
 namespace {

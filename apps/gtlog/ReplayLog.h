@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "observer/LogComparison.h"
-#include "robot/logs/ReplayPlatform.h"
+#include "logs/LogComparison.h"
+#include "robot/replay/ReplayPlatform.h"
 
 namespace gt {
 

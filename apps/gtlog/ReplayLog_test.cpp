@@ -7,16 +7,16 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/File.h"
+#include "logs/LogSelection.h"
+#include "logs/LogTransfer.h"
+#include "logs/RobotLog.h"
 #include "match/Match.h"
-#include "observer/LogSelection.h"
-#include "observer/LogTransfer.h"
 #include "observer/ObservedRobot.h"
-#include "observer/RobotLog.h"
+#include "observer/robots/LogRobot.h"
 #include "representations/behavior/BehaviorTrace.h"
 #include "representations/modeling/RobotPose.h"
 #include "representations/motion/OdometryData.h"
-#include "robot/logs/LogRobot.h"
-#include "streams/File.h"
 #include "support/FileSizeLimit.h"
 
 namespace gt {

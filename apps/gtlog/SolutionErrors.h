@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "robot/logs/ReplayPlatform.h"
+#include "robot/replay/ReplayPlatform.h"
 
 namespace gt {
 

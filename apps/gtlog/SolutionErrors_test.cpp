@@ -6,9 +6,9 @@
 #include <filesystem>
 
 #include "base/Statistics.h"
+#include "base/TemporaryFolder.h"
+#include "logs/LogTransfer.h"
 #include "match/Match.h"
-#include "observer/LogTransfer.h"
-#include "streams/TemporaryFolder.h"
 
 namespace gt {
 namespace {

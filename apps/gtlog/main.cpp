@@ -11,9 +11,9 @@
 #include "gtlog/LogList.h"
 #include "gtlog/ReplayLog.h"
 #include "gtlog/SolutionErrors.h"
-#include "observer/LogTransfer.h"
-#include "robot/logs/ImportNaoLog.h"
-#include "robot/logs/NaoLog.h"
+#include "logs/ImportNaoLog.h"
+#include "logs/LogTransfer.h"
+#include "logs/NaoLog.h"
 
 namespace {
 

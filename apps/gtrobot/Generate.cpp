@@ -2,12 +2,12 @@
 #include <cstdio>
 #include <type_traits>
 
+#include "base/File.h"
 #include "framework/Layout.h"
 #include "modules/behavior/Tasks.h"
 #include "modules/modeling/Tasks.h"
 #include "modules/motion/Tasks.h"
 #include "modules/perception/Tasks.h"
-#include "streams/File.h"
 
 namespace {
 

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "base/File.h"
 #include "commandline/CommandLine.h"
+#include "match/teams/TeamFolder.h"
 #include "modules/motion/specialactions/MotionNetLoader.h"
 #include "motionnet/Compiler.h"
 #include "motionnet/Listing.h"
-#include "robot/TeamFolder.h"
-#include "streams/File.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include "base/DataRoot.h"
 #include "base/Result.h"
 #include "measure/real/Comparison.h"
-#include "robot/logs/LogPlatform.h"
+#include "robot/replay/LogPlatform.h"
 
 namespace gt {
 

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "base/EndSignals.h"
+#include "base/TemporaryFolder.h"
 #include "base/UserFolder.h"
 #include "commandline/CommandLine.h"
 #include "crash/CrashHandler.h"
-#include "observer/LogPlayer.h"
-#include "streams/TemporaryFolder.h"
+#include "logs/LogPlayer.h"
 #include "workbench/Application.h"
 #include "workbench/MainWindow.h"
 #include "workbench/SaveImage.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "observer/MessageTypes.h"
+#include "logs/MessageTypes.h"
 #include "observer/RouterLink.h"
 
 namespace gt {

@@ -10,16 +10,16 @@
 #include <string>
 #include <vector>
 
+#include "base/File.h"
 #include "console/Console.h"
 #include "framework/LayoutCheck.h"
+#include "match/teams/TeamFolder.h"
 #include "representations/behavior/HeadControlMode.h"
 #include "robot/CalibratedFiles.h"
 #include "robot/Robot.h"
 #include "robot/Solutions.h"
-#include "robot/TeamFolder.h"
-#include "robot/logs/LogPlatform.h"
+#include "robot/replay/LogPlatform.h"
 #include "simulation/scene/SceneModel.h"
-#include "streams/File.h"
 
 namespace gt {
 namespace {

@@ -8,10 +8,10 @@
 #include <optional>
 
 #include "base/Program.h"
+#include "base/TemporaryFolder.h"
+#include "base/UnfinishedFile.h"
 #include "crash/CrashHandler.h"
 #include "robot/ProjectVersion.h"
-#include "streams/TemporaryFolder.h"
-#include "streams/UnfinishedFile.h"
 
 namespace gt {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <filesystem>
 
-#include "robot/Graphviz.h"
-#include "robot/LayoutDrawing.h"
 #include "robot/Robot.h"
-#include "robot/logs/LogPlatform.h"
+#include "robot/replay/LogPlatform.h"
+#include "views/graphs/Graphviz.h"
+#include "views/graphs/LayoutDrawing.h"
 
 namespace gt {
 

@@ -4,8 +4,8 @@
 #include <iostream>
 #include <map>
 
+#include "base/File.h"
 #include "base/Guarded.h"
-#include "streams/File.h"
 #include "xabsl/formats/Compile.h"
 #include "xabsl/formats/IntermediateCode.h"
 #include "xabsl/formats/Root.h"

@@ -11,10 +11,10 @@
 #include <span>
 #include <thread>
 
+#include "base/TemporaryFolder.h"
 #include "commandline/CommandLine.h"
+#include "logs/LogPlayer.h"
 #include "measure/Figures.h"
-#include "observer/LogPlayer.h"
-#include "streams/TemporaryFolder.h"
 #include "workbench/CustomPlot.h"
 #include "workbench/MainWindow.h"
 #include "workbench/SheetWidget.h"

@@ -10,7 +10,7 @@
 #include "Root.h"
 #include "Tools.h"
 #include "Types.h"
-#include "streams/File.h"
+#include "base/File.h"
 
 namespace gt::python {
 namespace {

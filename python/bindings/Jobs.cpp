@@ -16,9 +16,9 @@
 #include "experiments/ChangedRoot.h"
 #include "experiments/Experiments.h"
 #include "experiments/Tournament.h"
+#include "match/teams/TeamFolder.h"
 #include "measure/RunJobs.h"
 #include "robot/ProjectVersion.h"
-#include "robot/TeamFolder.h"
 #include "streams/Json.h"
 
 namespace gt::python {

@@ -17,11 +17,11 @@
 #include "Types.h"
 #include "Values.h"
 #include "base/Suggestion.h"
-#include "observer/LogSelection.h"
-#include "streams/Jpeg.h"
-#include "streams/Mcap.h"
+#include "images/Jpeg.h"
+#include "logs/LogSelection.h"
 #include "streams/RecordedMessage.h"
 #include "streams/RecordedTable.h"
+#include "streams/mcap/Mcap.h"
 
 namespace gt::python {
 namespace {

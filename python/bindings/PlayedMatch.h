@@ -9,7 +9,7 @@
 
 #include "PythonSolution.h"
 #include "console/Console.h"
-#include "console/Session.h"
+#include "session/Session.h"
 
 namespace gt::python {
 

@@ -10,8 +10,8 @@
 
 #include "Values.h"
 #include "framework/RepresentationDefinition.h"
+#include "logs/RobotLog.h"
 #include "match/MatchSummary.h"
-#include "observer/RobotLog.h"
 #include "robot/Solutions.h"
 
 namespace gt::python {

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "streams/File.h"
+#include "base/File.h"
 
 namespace gt {
 namespace {

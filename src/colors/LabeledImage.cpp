@@ -2,9 +2,9 @@
 
 #include <array>
 
+#include "base/File.h"
 #include "base/Lines.h"
 #include "base/Number.h"
-#include "streams/File.h"
 
 namespace gt {
 namespace {

@@ -4,16 +4,16 @@
 #include <filesystem>
 #include <span>
 
+#include "base/File.h"
 #include "base/Lines.h"
 #include "base/Suggestion.h"
 #include "console/Commands.h"
 #include "console/Usage.h"
+#include "logs/RobotLog.h"
 #include "modules/behavior/control/Behavior.h"
-#include "modules/behavior/control/BehaviorRequest.h"
 #include "modules/motion/specialactions/MotionNetLoader.h"
-#include "observer/RobotLog.h"
+#include "representations/behavior/BehaviorRequest.h"
 #include "robot/Configuration.h"
-#include "streams/File.h"
 
 namespace gt {
 namespace {

@@ -10,10 +10,10 @@
 #include "console/Joystick.h"
 #include "console/JoystickInput.h"
 #include "console/JoystickScheme.h"
-#include "console/Session.h"
-#include "console/SoundPlayer.h"
 #include "console/ViewRecorder.h"
 #include "representations/motion/MotionNet.h"
+#include "session/Session.h"
+#include "session/SoundPlayer.h"
 #include "views/Views.h"
 #include "xabsl/language/Behavior.h"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "streams/File.h"
+#include "base/File.h"
 
 namespace gt {
 namespace {

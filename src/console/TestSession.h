@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/TemporaryFolder.h"
 #include "console/Condition.h"
 #include "console/Console.h"
-#include "streams/TemporaryFolder.h"
 
 namespace gt {
 

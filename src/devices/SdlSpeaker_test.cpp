@@ -8,7 +8,7 @@
 #include <iterator>
 #include <thread>
 
-#include "streams/TemporaryFolder.h"
+#include "base/TemporaryFolder.h"
 
 namespace gt {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "base/Number.h"
 #include "environments/JointSpace.h"
-#include "modules/behavior/control/BehaviorControlRequest.h"
+#include "representations/behavior/BehaviorControlRequest.h"
 #include "representations/behavior/HeadControlMode.h"
 #include "representations/behavior/MotionRequest.h"
 #include "representations/modeling/PlayersCollection.h"

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "logs/MessageTypes.h"
+#include "logs/RobotLog.h"
 #include "network/Endpoint.h"
-#include "observer/MessageTypes.h"
-#include "observer/RobotLog.h"
 #include "representations/infrastructure/Image.h"
 #include "representations/modeling/RobotPose.h"
 

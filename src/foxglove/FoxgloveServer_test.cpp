@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "observer/RobotLog.h"
+#include "images/Jpeg.h"
+#include "logs/RobotLog.h"
 #include "representations/modeling/BallModel.h"
-#include "streams/Jpeg.h"
 #include "support/TestFoxglove.h"
 
 namespace gt {

@@ -5,10 +5,10 @@
 #include <set>
 #include <utility>
 
+#include "base/File.h"
 #include "base/Lines.h"
 #include "framework/LayoutCheck.h"
 #include "framework/UnknownNames.h"
-#include "streams/File.h"
 
 namespace gt {
 namespace {

@@ -41,7 +41,7 @@ struct RepresentationType {
 /// The one description of a type; types are the same if their descriptions have the same address.
 /// All units use it, and it takes long to compile: so it is only declared here. Those of the
 /// representations are compiled in representations/RepresentationTypes.cpp, those of other messages
-/// in observer/MessageTypes.cpp; who has further types includes
+/// in logs/MessageTypes.cpp; who has further types includes
 /// framework/RepresentationDefinition.h.
 template <typename T>
 const RepresentationType& representation();

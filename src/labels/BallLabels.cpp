@@ -6,9 +6,9 @@
 #include <sstream>
 
 #include "base/Enum.h"
+#include "base/File.h"
 #include "base/Lines.h"
 #include "base/Number.h"
-#include "streams/File.h"
 
 namespace gt {
 namespace {

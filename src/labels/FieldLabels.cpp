@@ -6,11 +6,11 @@
 #include <limits>
 
 #include "base/Enum.h"
+#include "base/File.h"
 #include "base/Lines.h"
 #include "base/Number.h"
 #include "representations/infrastructure/Player.h"
 #include "representations/perception/LandmarksPercept.h"
-#include "streams/File.h"
 
 namespace gt {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "streams/TemporaryFolder.h"
+#include "base/TemporaryFolder.h"
 
 namespace gt {
 namespace {

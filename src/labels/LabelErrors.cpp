@@ -5,8 +5,8 @@
 #include <limits>
 #include <optional>
 
+#include "base/File.h"
 #include "base/Geometry.h"
-#include "streams/File.h"
 
 namespace gt {
 namespace {

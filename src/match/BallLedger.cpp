@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "simulation/Oracle.h"
+#include "simulation/world/Oracle.h"
 
 namespace gt {
 namespace {

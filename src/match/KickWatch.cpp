@@ -1,6 +1,6 @@
 #include "match/KickWatch.h"
 
-#include "simulation/Oracle.h"
+#include "simulation/world/Oracle.h"
 
 namespace gt {
 

@@ -5,13 +5,13 @@
 #include <iterator>
 #include <thread>
 
+#include "base/File.h"
 #include "base/Hash.h"
 #include "measure/worlds/KickTables.h"
-#include "modules/behavior/tactics/TargetPoints.h"
 #include "modules/motion/specialactions/MotionNetLoader.h"
+#include "representations/behavior/TargetPoints.h"
 #include "robot/Configuration.h"
 #include "simulation/scene/ProfileTable.h"
-#include "streams/File.h"
 #include "streams/Json.h"
 
 namespace gt {

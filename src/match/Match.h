@@ -18,8 +18,8 @@
 #include "match/RemoteRobot.h"
 #include "match/ReportImages.h"
 #include "match/SimulatedRobot.h"
-#include "robot/TeamFolder.h"
-#include "robot/TeamProgram.h"
+#include "match/teams/TeamFolder.h"
+#include "match/teams/TeamProgram.h"
 #include "simulation/Challenge.h"
 #include "simulation/Simulation.h"
 

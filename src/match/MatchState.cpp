@@ -1,7 +1,7 @@
 #include "match/MatchState.h"
 
+#include "base/File.h"
 #include "simulation/world/World.h"
-#include "streams/File.h"
 #include "streams/Json.h"
 
 namespace gt {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/Statistics.h"
-#include "simulation/Oracle.h"
+#include "simulation/world/Oracle.h"
 
 namespace gt {
 namespace {

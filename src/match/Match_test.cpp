@@ -8,7 +8,7 @@
 #include "match/TestMatch.h"
 #include "representations/perception/CollisionPercept.h"
 #include "streams/Config.h"
-#include "streams/Mcap.h"
+#include "streams/mcap/Mcap.h"
 
 namespace gt {
 namespace {

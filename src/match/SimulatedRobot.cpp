@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "base/CrashNotes.h"
+#include "observer/robots/LocalLink.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/modeling/PlayersCollection.h"
-#include "robot/LocalLink.h"
 #include "robot/Solutions.h"
 
 namespace gt {

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "logs/RobotLog.h"
 #include "match/BodyCommands.h"
 #include "match/MatchRobot.h"
 #include "modules/modeling/OracledLocators.h"
 #include "observer/RobotLink.h"
-#include "observer/RobotLog.h"
 #include "robot/Robot.h"
 #include "robot/SetupFiles.h"
 

@@ -8,8 +8,8 @@
 #include <memory>
 #include <string>
 
+#include "base/File.h"
 #include "match/Match.h"
-#include "streams/File.h"
 #include "streams/Json.h"
 
 namespace gt {

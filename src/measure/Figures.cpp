@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/File.h"
 #include "base/Statistics.h"
-#include "streams/File.h"
 #include "streams/Json.h"
 
 namespace gt {

@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "streams/File.h"
+#include "base/File.h"
+#include "base/TemporaryFolder.h"
 #include "streams/Json.h"
-#include "streams/TemporaryFolder.h"
 
 namespace gt {
 namespace {

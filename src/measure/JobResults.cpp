@@ -9,8 +9,8 @@
 #include <set>
 #include <system_error>
 
+#include "base/File.h"
 #include "base/Lines.h"
-#include "streams/File.h"
 
 namespace gt {
 namespace {

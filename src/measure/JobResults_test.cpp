@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "base/File.h"
 #include "base/Random.h"
-#include "streams/File.h"
-#include "streams/TemporaryFolder.h"
+#include "base/TemporaryFolder.h"
 
 namespace gt {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "streams/TemporaryFolder.h"
+#include "base/TemporaryFolder.h"
 
 namespace gt {
 namespace {

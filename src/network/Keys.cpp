@@ -9,8 +9,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include "base/File.h"
 #include "streams/Config.h"
-#include "streams/File.h"
 
 namespace gt {
 namespace {

@@ -6,7 +6,7 @@
 #include <csignal>
 #include <filesystem>
 
-#include "streams/File.h"
+#include "base/File.h"
 #include "support/TestWire.h"
 
 namespace gt {

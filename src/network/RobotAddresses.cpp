@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <set>
 
+#include "base/File.h"
 #include "base/UserFolder.h"
-#include "streams/File.h"
 
 namespace gt {
 

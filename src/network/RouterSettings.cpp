@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
+#include "base/File.h"
 #include "base/UserFolder.h"
 #include "streams/Config.h"
-#include "streams/File.h"
 
 namespace gt {
 namespace {

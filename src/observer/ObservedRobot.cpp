@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "framework/Warnings.h"
-#include "observer/MessageTypes.h"
+#include "logs/MessageTypes.h"
 #include "streams/Config.h"
 
 namespace gt {

@@ -16,7 +16,7 @@
 #include "framework/Description.h"
 #include "framework/Representation.h"
 #include "framework/Requests.h"
-#include "observer/RecordedSetup.h"
+#include "logs/RecordedSetup.h"
 #include "observer/RobotLink.h"
 
 namespace gt {

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "observer/LogTransfer.h"
-#include "observer/RecordedSetup.h"
+#include "logs/LogTransfer.h"
+#include "logs/RecordedSetup.h"
 
 namespace gt {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "base/TemporaryFolder.h"
+#include "logs/RobotLog.h"
 #include "observer/ObservedRobot.h"
-#include "observer/RobotLog.h"
-#include "streams/TemporaryFolder.h"
 
 namespace gt {
 

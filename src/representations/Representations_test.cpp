@@ -4,10 +4,10 @@
 #include <sstream>
 #include <string_view>
 
+#include "base/File.h"
 #include "representations/All.h"
 #include "streams/Binary.h"
 #include "streams/Config.h"
-#include "streams/File.h"
 #include "streams/MessageQueue.h"
 #include "streams/Schema.h"
 #include "streams/Streams.h"

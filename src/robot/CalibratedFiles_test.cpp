@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
-#include "streams/File.h"
-#include "streams/TemporaryFolder.h"
+#include "base/File.h"
+#include "base/TemporaryFolder.h"
 
 namespace gt {
 namespace {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <set>
 
+#include "base/File.h"
 #include "base/Lines.h"
 #include "base/Suggestion.h"
 #include "framework/UnknownNames.h"
@@ -12,7 +13,6 @@
 #include "robot/Solutions.h"
 #include "robot/TeamSolutions.h"
 #include "streams/Config.h"
-#include "streams/File.h"
 
 namespace gt {
 namespace {

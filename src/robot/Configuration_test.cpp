@@ -6,11 +6,11 @@
 
 #include <filesystem>
 
+#include "base/File.h"
 #include "colors/HsiColors.h"
 #include "colors/TslColors.h"
 #include "representations/motion/MotionNet.h"
 #include "robot/Solutions.h"
-#include "streams/File.h"
 
 namespace gt {
 namespace {

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/File.h"
+#include "base/TemporaryFolder.h"
 #include "robot/Configuration.h"
-#include "streams/File.h"
-#include "streams/TemporaryFolder.h"
 
 namespace gt {
 namespace {

@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/File.h"
+#include "base/TemporaryFolder.h"
 #include "robot/Configuration.h"
-#include "streams/File.h"
-#include "streams/TemporaryFolder.h"
 
 namespace gt {
 namespace {

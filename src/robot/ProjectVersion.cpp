@@ -4,8 +4,8 @@
 #include <iomanip>
 #include <sstream>
 
+#include "base/File.h"
 #include "robot/SetupFiles.h"
-#include "streams/File.h"
 
 namespace gt {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "modules/behavior/control/BehaviorRequest.h"
 #include "network/RobotAddresses.h"
 #include "network/Wire.h"
+#include "representations/behavior/BehaviorRequest.h"
 #include "robot/Solutions.h"
 #include "robot/TeamSolutions.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "framework/DebugProcess.h"
-#include "observer/RecordedSetup.h"
+#include "logs/RecordedSetup.h"
 #include "robot/Processes.h"
 
 namespace gt {

@@ -1,15 +1,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/File.h"
 #include "colors/HsiColors.h"
 #include "colors/TslColors.h"
 #include "framework/Requests.h"
-#include "modules/behavior/control/BehaviorRequest.h"
+#include "representations/behavior/BehaviorRequest.h"
 #include "representations/behavior/BehaviorState.h"
 #include "representations/infrastructure/RobotCalibration.h"
 #include "representations/motion/OdometryData.h"
 #include "representations/perception/CameraMatrix.h"
-#include "streams/File.h"
 #include "support/SteppedRobot.h"
 
 namespace gt {

@@ -4,10 +4,10 @@
 
 #include <filesystem>
 
-#include "modules/behavior/control/BehaviorControlRequest.h"
-#include "modules/behavior/control/BehaviorRequest.h"
-#include "observer/MessageTypes.h"
-#include "observer/RobotLog.h"
+#include "logs/MessageTypes.h"
+#include "logs/RobotLog.h"
+#include "representations/behavior/BehaviorControlRequest.h"
+#include "representations/behavior/BehaviorRequest.h"
 #include "representations/behavior/BehaviorState.h"
 #include "representations/behavior/HeadControlMode.h"
 #include "representations/behavior/MotionRequest.h"

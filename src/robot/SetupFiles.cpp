@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/File.h"
+#include "base/TemporaryFolder.h"
 #include "robot/Commit.h"
 #include "robot/FileNames.h"
-#include "streams/File.h"
-#include "streams/TemporaryFolder.h"
 
 namespace gt {
 namespace {

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "observer/RecordedSetup.h"
+#include "logs/RecordedSetup.h"
 #include "robot/Processes.h"
 
 namespace gt {

@@ -2,13 +2,13 @@
 
 #include <type_traits>
 
+#include "logs/MessageTypes.h"
 #include "modules/behavior/Tasks.h"
-#include "modules/behavior/control/BehaviorControlRequest.h"
-#include "modules/behavior/control/BehaviorRequest.h"
 #include "modules/modeling/Tasks.h"
 #include "modules/motion/Tasks.h"
 #include "modules/perception/Tasks.h"
-#include "observer/MessageTypes.h"
+#include "representations/behavior/BehaviorControlRequest.h"
+#include "representations/behavior/BehaviorRequest.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/Player.h"
 #include "representations/motion/JointDataSequence.h"

@@ -8,9 +8,9 @@
 
 #include "base/Guarded.h"
 #include "base/Hash.h"
-#include "simulation/Oracle.h"
 #include "simulation/camera/CameraEffects.h"
 #include "simulation/scene/SceneModel.h"
+#include "simulation/world/Oracle.h"
 #include "streams/Config.h"
 
 namespace gt {

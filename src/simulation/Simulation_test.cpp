@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "base/Hash.h"
-#include "simulation/Oracle.h"
+#include "simulation/world/Oracle.h"
 #include "support/TestScenes.h"
 
 namespace gt {

@@ -3,8 +3,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/File.h"
 #include "base/Findings.h"
-#include "streams/File.h"
 #include "streams/Type.h"
 
 /// The config format (report B.4, D.2): lines `name value ...` or `name = value ...`, fields of

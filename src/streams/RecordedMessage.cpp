@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <variant>
 
-#include "streams/Base64.h"
+#include "base/Base64.h"
 #include "streams/Binary.h"
 #include "streams/NumberType.h"
 #include "streams/Schema.h"

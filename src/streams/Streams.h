@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/File.h"
 #include "base/Result.h"
 #include "streams/Binary.h"
-#include "streams/File.h"
 #include "streams/Type.h"
 
 /// Streams composed of a medium and a format (report, Appendix D): `OutTextFile stream("a.txt");

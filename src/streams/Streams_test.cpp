@@ -5,9 +5,9 @@
 
 #include <filesystem>
 
+#include "base/File.h"
+#include "base/TemporaryFolder.h"
 #include "streams/Binary.h"
-#include "streams/File.h"
-#include "streams/TemporaryFolder.h"
 #include "support/Samples.h"
 
 namespace gt {

@@ -5,7 +5,7 @@
 #include "representations/infrastructure/Player.h"
 #include "representations/modeling/RobotPose.h"
 #include "representations/perception/LandmarksPercept.h"
-#include "simulation/Oracle.h"
+#include "simulation/world/Oracle.h"
 #include "views/ViewText.h"
 #include "views/Views.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "base/OutputLock.h"
-#include "streams/UnfinishedFile.h"
+#include "base/UnfinishedFile.h"
 
 extern "C" {
 #include <libavcodec/avcodec.h>

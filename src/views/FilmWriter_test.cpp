@@ -5,8 +5,8 @@
 
 #include <filesystem>
 
-#include "streams/File.h"
-#include "streams/TemporaryFolder.h"
+#include "base/File.h"
+#include "base/TemporaryFolder.h"
 #include "support/FileSizeLimit.h"
 
 namespace gt {

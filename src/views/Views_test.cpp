@@ -7,10 +7,10 @@
 #include <fstream>
 #include <set>
 
+#include "base/TemporaryFolder.h"
 #include "representations/behavior/BehaviorState.h"
 #include "representations/infrastructure/Player.h"
 #include "representations/infrastructure/SensorData.h"
-#include "streams/TemporaryFolder.h"
 
 namespace gt {
 namespace {

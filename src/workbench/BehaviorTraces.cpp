@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "framework/SolutionTable.h"
-#include "observer/RobotLog.h"
+#include "logs/RobotLog.h"
 #include "representations/behavior/BehaviorTrace.h"
 
 namespace gt {

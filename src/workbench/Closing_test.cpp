@@ -9,9 +9,9 @@
 #include <csignal>
 #include <filesystem>
 
+#include "base/File.h"
 #include "colors/ColorTableFile.h"
-#include "observer/LogPlayer.h"
-#include "streams/File.h"
+#include "logs/LogPlayer.h"
 #include "workbench/SheetWidget.h"
 #include "workbench/TestWindow.h"
 

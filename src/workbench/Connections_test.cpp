@@ -2,7 +2,7 @@
 #include <QLabel>
 #include <QTableWidget>
 
-#include "streams/File.h"
+#include "base/File.h"
 #include "workbench/TestWindow.h"
 
 namespace gt {

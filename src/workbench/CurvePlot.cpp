@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "streams/File.h"
+#include "base/File.h"
 #include "workbench/PlotColors.h"
 
 namespace gt {

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "streams/File.h"
+#include "base/File.h"
 #include "workbench/TestWindow.h"
 
 namespace gt {

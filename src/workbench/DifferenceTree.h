@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "console/ComparedRuns.h"
+#include "session/ComparedRuns.h"
 
 namespace gt {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/File.h"
 #include "base/Statistics.h"
-#include "streams/File.h"
 #include "workbench/PlotColors.h"
 
 namespace gt {

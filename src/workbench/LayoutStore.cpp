@@ -6,7 +6,7 @@
 #include <QUrl>
 #include <utility>
 
-#include "streams/File.h"
+#include "base/File.h"
 
 namespace gt {
 namespace {

@@ -9,12 +9,12 @@
 #include <QTreeWidget>
 #include <filesystem>
 
+#include "base/File.h"
 #include "labels/LabelErrors.h"
-#include "observer/LogPlayer.h"
+#include "logs/LogPlayer.h"
 #include "representations/behavior/BehaviorState.h"
 #include "representations/modeling/BallModel.h"
 #include "representations/perception/BallPercept.h"
-#include "streams/File.h"
 #include "workbench/ChartWidget.h"
 #include "workbench/CustomPlot.h"
 #include "workbench/SheetWidget.h"

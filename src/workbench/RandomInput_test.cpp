@@ -21,7 +21,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "streams/File.h"
+#include "base/File.h"
 #include "workbench/TestWindow.h"
 
 namespace gt {

@@ -2,7 +2,7 @@
 
 #include <QFileInfo>
 
-#include "streams/UnfinishedFile.h"
+#include "base/UnfinishedFile.h"
 
 namespace gt {
 

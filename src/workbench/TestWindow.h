@@ -11,8 +11,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "base/TemporaryFolder.h"
 #include "console/Values.h"
-#include "streams/TemporaryFolder.h"
 #include "workbench/MainWindow.h"
 
 namespace gt {

@@ -11,8 +11,8 @@
 #include <QTreeWidget>
 #include <filesystem>
 
+#include "base/File.h"
 #include "representations/behavior/BehaviorState.h"
-#include "streams/File.h"
 #include "workbench/CustomPlot.h"
 #include "workbench/TestWindow.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "streams/File.h"
+#include "base/File.h"
 #include "streams/Json.h"
 
 namespace gt {

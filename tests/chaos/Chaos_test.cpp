@@ -19,7 +19,7 @@
 #include "framework/RepresentationDefinition.h"
 #include "framework/Requests.h"
 #include "network/ToolPort.h"
-#include "streams/Mcap.h"
+#include "streams/mcap/Mcap.h"
 #include "support/ProgramFolder.h"
 #include "support/RobotOfPrograms.h"
 #include "support/TestViewer.h"

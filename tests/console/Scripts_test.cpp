@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <set>
 
+#include "base/File.h"
 #include "console/Console.h"
-#include "streams/File.h"
 
 namespace gt {
 namespace {

@@ -15,7 +15,7 @@
 #include <filesystem>
 #include <string>
 
-#include "streams/TemporaryFolder.h"
+#include "base/TemporaryFolder.h"
 #include "support/ProgramFolder.h"
 
 namespace gt {

@@ -7,10 +7,10 @@
 #include <thread>
 
 #include "base/ChildProgram.h"
+#include "base/File.h"
 #include "base/Program.h"
+#include "base/TemporaryFolder.h"
 #include "crash/CrashReport.h"
-#include "streams/File.h"
-#include "streams/TemporaryFolder.h"
 #include "support/ProgramFolder.h"
 
 namespace gt {

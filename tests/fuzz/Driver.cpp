@@ -5,8 +5,8 @@
 #include <string>
 
 #include "Fuzz.h"
+#include "base/File.h"
 #include "base/Random.h"
-#include "streams/File.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "streams/Jpeg.h"
+#include "images/Jpeg.h"
 
 #include "Fuzz.h"
 

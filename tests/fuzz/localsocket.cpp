@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "Fuzz.h"
+#include "base/TemporaryFolder.h"
 #include "framework/Representation.h"
 #include "framework/RepresentationDefinition.h"
 #include "network/Network.h"
-#include "streams/TemporaryFolder.h"
 
 namespace {
 

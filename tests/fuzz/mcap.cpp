@@ -1,4 +1,4 @@
-#include "streams/Mcap.h"
+#include "streams/mcap/Mcap.h"
 
 #include "Fuzz.h"
 #include "MemoryFile.h"

@@ -1,4 +1,4 @@
-#include "robot/logs/NaoLog.h"
+#include "logs/NaoLog.h"
 
 #include <string>
 

@@ -5,11 +5,11 @@
 #include <functional>
 #include <regex>
 
+#include "base/File.h"
 #include "console/Console.h"
 #include "representations/infrastructure/Image.h"
 #include "representations/infrastructure/SensorData.h"
 #include "representations/perception/LinesPercept.h"
-#include "streams/File.h"
 #include "support/ProgramFolder.h"
 #include "support/RobotElsewhere.h"
 

@@ -13,14 +13,14 @@
 #include <zmq.hpp>
 
 #include "base/ChildProgram.h"
+#include "base/File.h"
+#include "base/TemporaryFolder.h"
 #include "framework/Requests.h"
 #include "match/Match.h"
-#include "modules/behavior/control/BehaviorRequest.h"
 #include "network/ToolPort.h"
+#include "representations/behavior/BehaviorRequest.h"
 #include "representations/behavior/BehaviorState.h"
-#include "streams/File.h"
-#include "streams/Mcap.h"
-#include "streams/TemporaryFolder.h"
+#include "streams/mcap/Mcap.h"
 #include "support/OtherMachine.h"
 #include "support/ProgramFolder.h"
 #include "support/RobotElsewhere.h"

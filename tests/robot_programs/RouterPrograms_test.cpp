@@ -6,12 +6,12 @@
 #include <cstdlib>
 
 #include "base/ChildProgram.h"
+#include "base/File.h"
 #include "framework/Description.h"
 #include "framework/Requests.h"
 #include "network/RobotList.h"
 #include "network/RouterSettings.h"
 #include "representations/modeling/RobotPose.h"
-#include "streams/File.h"
 #include "support/ProgramFolder.h"
 #include "support/TestViewer.h"
 #include "support/TestWire.h"

@@ -7,8 +7,8 @@
 #include <fstream>
 
 #include "base/Program.h"
+#include "base/TemporaryFolder.h"
 #include "match/TestMatch.h"
-#include "streams/TemporaryFolder.h"
 #include "support/ProgramFolder.h"
 
 namespace gt {

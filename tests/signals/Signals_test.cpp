@@ -17,13 +17,13 @@
 #include <utility>
 #include <vector>
 
+#include "base/File.h"
 #include "base/Random.h"
+#include "base/TemporaryFolder.h"
 #include "debug/Drawing.h"
 #include "match/MatchSummary.h"
-#include "streams/File.h"
 #include "streams/Json.h"
-#include "streams/Mcap.h"
-#include "streams/TemporaryFolder.h"
+#include "streams/mcap/Mcap.h"
 #include "support/ProgramFolder.h"
 
 namespace gt {

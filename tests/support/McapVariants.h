@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "streams/Mcap.h"
-#include "streams/McapRecords.h"
+#include "streams/mcap/Mcap.h"
+#include "streams/mcap/McapRecords.h"
 
 /// Logs of one content in all forms that the MCAP format allows, as other programs write them.
 namespace gt::variants {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "base/ChildProgram.h"
+#include "base/TemporaryFolder.h"
 #include "network/Keys.h"
-#include "streams/TemporaryFolder.h"
 #include "support/OtherMachine.h"
 
 namespace gt::testing {

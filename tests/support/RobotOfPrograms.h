@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "base/ChildProgram.h"
+#include "base/TemporaryFolder.h"
 #include "match/Match.h"
-#include "streams/TemporaryFolder.h"
 #include "support/ProgramFolder.h"
 
 namespace gt::testing {

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "base/TemporaryFolder.h"
 #include "network/RobotAddresses.h"
 #include "network/Wire.h"
 #include "robot/Robot.h"
 #include "robot/Solutions.h"
 #include "robot/platform/Body.h"
-#include "streams/TemporaryFolder.h"
 
 namespace gt::testing {
 

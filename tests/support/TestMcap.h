@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "streams/Jpeg.h"
-#include "streams/Mcap.h"
+#include "images/Jpeg.h"
+#include "streams/mcap/Mcap.h"
 #include "support/Samples.h"
 
 namespace gt {

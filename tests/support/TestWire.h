@@ -8,10 +8,10 @@
 #include <string>
 #include <thread>
 
+#include "base/TemporaryFolder.h"
 #include "framework/Process.h"
 #include "framework/RepresentationDefinition.h"
 #include "network/Wire.h"
-#include "streams/TemporaryFolder.h"
 
 namespace gt::testing {
 

@@ -3,15 +3,15 @@
 
 #include <filesystem>
 
+#include "base/File.h"
 #include "console/Console.h"
 #include "debug/Drawing.h"
 #include "match/Match.h"
-#include "modules/behavior/control/BehaviorRequest.h"
+#include "representations/behavior/BehaviorRequest.h"
 #include "representations/behavior/BehaviorState.h"
 #include "robot/Solutions.h"
 #include "streams/Binary.h"
-#include "streams/File.h"
-#include "streams/Mcap.h"
+#include "streams/mcap/Mcap.h"
 
 namespace gt {
 namespace {

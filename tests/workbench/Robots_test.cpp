@@ -4,7 +4,7 @@
 #include <QSlider>
 #include <QTableWidget>
 
-#include "observer/LogPlayer.h"
+#include "logs/LogPlayer.h"
 #include "representations/infrastructure/CameraSettings.h"
 #include "support/ProgramFolder.h"
 #include "support/RobotElsewhere.h"

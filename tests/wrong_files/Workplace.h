@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "streams/File.h"
+#include "base/File.h"
 #include "support/ProgramFolder.h"
 #include "support/TestLog.h"
 

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <utility>
 
+#include "base/Base64.h"
+#include "base/File.h"
+#include "images/Jpeg.h"
 #include "match/report/PageFiles.h"
-#include "streams/Base64.h"
-#include "streams/File.h"
-#include "streams/Jpeg.h"
 #include "streams/Json.h"
 #include "views/painting/Sheet.h"
 

@@ -8,9 +8,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/File.h"
 #include "match/report/PageFiles.h"
 #include "match/report/SampleMatch.h"
-#include "streams/File.h"
 #include "streams/Json.h"
 #include "views/painting/Sheet.h"
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/File.h"
+#include "base/TemporaryFolder.h"
 #include "modules/motion/specialactions/MotionNetLoader.h"
 #include "streams/Config.h"
-#include "streams/File.h"
-#include "streams/TemporaryFolder.h"
 
 namespace gt {
 namespace {

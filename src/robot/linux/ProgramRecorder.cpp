@@ -7,7 +7,7 @@
 #include "framework/Requests.h"
 #include "network/Wire.h"
 #include "robot/SetupFiles.h"
-#include "robot/logs/ReplayPlatform.h"
+#include "robot/replay/ReplayPlatform.h"
 
 namespace gt {
 namespace {

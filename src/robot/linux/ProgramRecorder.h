@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "framework/Layout.h"
-#include "observer/RecordedSetup.h"
-#include "observer/RobotLog.h"
+#include "logs/RecordedSetup.h"
+#include "logs/RobotLog.h"
 #include "representations/infrastructure/Image.h"
 #include "robot/linux/RobotProgram.h"
 

@@ -5,9 +5,9 @@
 #include <iterator>
 
 #include "base/EndSignals.h"
+#include "logs/RobotLog.h"
 #include "network/ToolPort.h"
 #include "network/Wire.h"
-#include "observer/RobotLog.h"
 #include "robot/Robot.h"
 #include "robot/SetupFiles.h"
 #include "robot/linux/ProgramRecorder.h"

@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "modules/behavior/control/BehaviorRequest.h"
 #include "modules/behavior/control/GT2003BehaviorControl.h"
 #include "modules/behavior/control/ObstacleAvoiderOnGreenField.h"
-#include "modules/behavior/potentialfields/PotentialFields.h"
 #include "modules/behavior/tactics/PlayValues.h"
-#include "modules/behavior/tactics/TargetPoints.h"
 #include "motionnet/Listing.h"
+#include "representations/behavior/BehaviorRequest.h"
+#include "representations/behavior/PotentialFields.h"
+#include "representations/behavior/TargetPoints.h"
 #include "robot/Robot.h"
 #include "robot/Solutions.h"
 #include "streams/Config.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulation/Oracle.h"
+#include "simulation/world/Oracle.h"
 
 namespace gt {
 namespace {

@@ -1,8 +1,8 @@
 // What the referee does about fouls, the penalty shoot-out, and a game controller's orders.
 #include <cmath>
 
-#include "simulation/Oracle.h"
 #include "simulation/rules/Referee.h"
+#include "simulation/world/Oracle.h"
 
 namespace gt {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/Result.h"
+#include "simulation/scene/MuJoCo.h"
 #include "simulation/scene/Xml.h"
-#include "simulation/world/MuJoCo.h"
 
 namespace gt {
 

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <utility>
 
+#include "simulation/scene/ModelRows.h"
 #include "simulation/scene/Xml.h"
-#include "simulation/world/ModelRows.h"
 
 namespace gt {
 namespace {

@@ -6,8 +6,8 @@
 #include "base/Random.h"
 #include "simulation/scene/ModelFile.h"
 #include "simulation/scene/ModelNames.h"
+#include "simulation/scene/ModelRows.h"
 #include "simulation/scene/Scene.h"
-#include "simulation/world/ModelRows.h"
 
 namespace gt {
 

@@ -9,8 +9,8 @@
 #include <set>
 #include <string>
 
+#include "base/File.h"
 #include "streams/Config.h"
-#include "streams/File.h"
 #include "support/TestScenes.h"
 
 namespace gt {

@@ -8,10 +8,10 @@
 #include <set>
 
 #include "base/Enum.h"
+#include "base/File.h"
 #include "simulation/scene/ProfileTable.h"
 #include "simulation/scene/Xml.h"
 #include "simulation/world/World.h"
-#include "streams/File.h"
 #include "streams/Type.h"
 
 namespace gt {

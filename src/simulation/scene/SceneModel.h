@@ -3,8 +3,8 @@
 
 #include "base/Random.h"
 #include "base/Result.h"
+#include "simulation/scene/MuJoCo.h"
 #include "simulation/scene/Scene.h"
-#include "simulation/world/MuJoCo.h"
 
 namespace gt {
 

@@ -10,9 +10,9 @@
 #include <map>
 #include <span>
 
+#include "base/File.h"
 #include "simulation/scene/Scene.h"
 #include "simulation/scene/Xml.h"
-#include "streams/File.h"
 #include "streams/Type.h"
 
 namespace gt {

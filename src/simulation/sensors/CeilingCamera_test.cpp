@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "base/TemporaryFolder.h"
 #include "simulation/sensors/CeilingTracker.h"
-#include "streams/Mcap.h"
-#include "streams/TemporaryFolder.h"
+#include "streams/mcap/Mcap.h"
 #include "support/TestScenes.h"
 
 namespace gt {

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "simulation/Oracle.h"
-#include "streams/Mcap.h"
+#include "simulation/world/Oracle.h"
 #include "streams/RecordedMessage.h"
+#include "streams/mcap/Mcap.h"
 
 namespace gt {
 namespace {

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <map>
 
+#include "base/File.h"
 #include "simulation/Simulation.h"
-#include "streams/File.h"
 #include "support/TestScenes.h"
 
 namespace gt {

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "base/Geometry.h"
-#include "simulation/world/MuJoCo.h"
+#include "simulation/scene/MuJoCo.h"
 
 namespace gt {
 

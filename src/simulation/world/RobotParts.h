@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "representations/infrastructure/Joints.h"
-#include "simulation/world/MuJoCo.h"
+#include "simulation/scene/MuJoCo.h"
 
 namespace gt {
 

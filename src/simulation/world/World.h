@@ -11,8 +11,8 @@
 #include "base/Time.h"
 #include "representations/infrastructure/JointGains.h"
 #include "representations/motion/KickTable.h"
+#include "simulation/scene/MuJoCo.h"
 #include "simulation/scene/Scene.h"
-#include "simulation/world/MuJoCo.h"
 #include "simulation/world/Obstacles.h"
 #include "simulation/world/RobotParts.h"
 

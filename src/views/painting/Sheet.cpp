@@ -5,8 +5,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "streams/File.h"
-#include "streams/Png.h"
+#include "base/File.h"
+#include "images/Png.h"
 #include "views/painting/CairoPainter.h"
 #include "views/painting/SvgPainter.h"
 

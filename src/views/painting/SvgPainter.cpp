@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "streams/Base64.h"
-#include "streams/Png.h"
+#include "base/Base64.h"
+#include "images/Png.h"
 
 namespace gt {
 namespace {

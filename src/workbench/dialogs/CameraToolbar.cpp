@@ -4,9 +4,9 @@
 #include <QMessageBox>
 #include <optional>
 
+#include "base/File.h"
 #include "representations/infrastructure/CameraSettings.h"
 #include "streams/Config.h"
-#include "streams/File.h"
 #include "workbench/Dialog.h"
 #include "workbench/PushButton.h"
 #include "workbench/SendToRobots.h"

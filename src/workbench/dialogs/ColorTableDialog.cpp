@@ -10,9 +10,9 @@
 #include <QVBoxLayout>
 #include <optional>
 
+#include "base/File.h"
 #include "colors/ColorTableEditor.h"
 #include "colors/ColorTableFile.h"
-#include "streams/File.h"
 #include "views/painting/ColorClassViews.h"
 #include "workbench/Dialog.h"
 #include "workbench/SendToRobots.h"

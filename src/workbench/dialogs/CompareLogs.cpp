@@ -15,7 +15,7 @@
 #include <map>
 #include <set>
 
-#include "console/ComparedRuns.h"
+#include "session/ComparedRuns.h"
 #include "workbench/Background.h"
 #include "workbench/CustomPlot.h"
 #include "workbench/Dialog.h"

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulation/Oracle.h"
+#include "simulation/world/Oracle.h"
 #include "views/ViewText.h"
 #include "workbench/DrawingMenu.h"
 #include "workbench/ViewDialog.h"

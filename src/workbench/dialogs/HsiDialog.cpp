@@ -11,9 +11,9 @@
 #include <array>
 #include <optional>
 
+#include "base/File.h"
 #include "colors/ColorTableFile.h"
 #include "colors/HsiEditor.h"
-#include "streams/File.h"
 #include "views/painting/ColorClassViews.h"
 #include "workbench/Dialog.h"
 #include "workbench/ImageSource.h"

@@ -18,11 +18,11 @@
 #include <optional>
 #include <utility>
 
-#include "console/LabelEvaluation.h"
-#include "console/LabelScript.h"
+#include "base/File.h"
 #include "labels/LabelEditor.h"
+#include "labels/LabelScript.h"
 #include "representations/infrastructure/Image.h"
-#include "streams/File.h"
+#include "session/LabelEvaluation.h"
 #include "workbench/Background.h"
 #include "workbench/Dialog.h"
 #include "workbench/LabelErrorPlot.h"

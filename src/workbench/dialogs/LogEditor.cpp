@@ -9,8 +9,8 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "observer/LogPlayer.h"
-#include "observer/LogTransfer.h"
+#include "logs/LogPlayer.h"
+#include "logs/LogTransfer.h"
 #include "workbench/Background.h"
 #include "workbench/Dialog.h"
 #include "workbench/PushButton.h"

@@ -7,8 +7,8 @@
 #include <QVBoxLayout>
 #include <filesystem>
 
+#include "base/File.h"
 #include "base/UserFolder.h"
-#include "streams/File.h"
 #include "workbench/Dialog.h"
 
 namespace gt {

@@ -14,9 +14,9 @@
 #include <filesystem>
 #include <vector>
 
+#include "base/File.h"
+#include "base/TemporaryFolder.h"
 #include "simulation/scene/Scene.h"
-#include "streams/File.h"
-#include "streams/TemporaryFolder.h"
 #include "workbench/Background.h"
 #include "workbench/Dialog.h"
 #include "workbench/PushButton.h"

@@ -10,7 +10,7 @@
 
 #include "representations/modeling/BallModel.h"
 #include "representations/modeling/RobotPose.h"
-#include "simulation/Oracle.h"
+#include "simulation/world/Oracle.h"
 #include "views/ViewText.h"
 #include "workbench/ViewDialog.h"
 #include "workbench/space/SpaceDialog.h"

@@ -8,8 +8,8 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "streams/File.h"
-#include "streams/TemporaryFolder.h"
+#include "base/File.h"
+#include "base/TemporaryFolder.h"
 #include "workbench/Dialog.h"
 #include "workbench/PushButton.h"
 

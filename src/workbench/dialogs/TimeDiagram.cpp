@@ -15,8 +15,8 @@
 #include <deque>
 #include <map>
 
+#include "base/File.h"
 #include "debug/Stopwatch.h"
-#include "streams/File.h"
 #include "workbench/Dialog.h"
 
 namespace gt {

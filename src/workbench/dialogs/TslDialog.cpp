@@ -10,11 +10,11 @@
 #include <array>
 #include <optional>
 
+#include "base/File.h"
 #include "colors/ClassColors.h"
 #include "colors/ColorTableFile.h"
 #include "colors/TslColors.h"
 #include "colors/TslHistogram.h"
-#include "streams/File.h"
 #include "views/painting/ColorClassViews.h"
 #include "workbench/Dialog.h"
 #include "workbench/ImageSource.h"

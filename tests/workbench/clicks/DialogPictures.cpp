@@ -9,7 +9,7 @@
 #include <array>
 #include <string_view>
 
-#include "streams/TemporaryFolder.h"
+#include "base/TemporaryFolder.h"
 #include "workbench/MainWindow.h"
 #include "workbench/clicks/Walk.h"
 

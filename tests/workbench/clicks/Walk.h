@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "streams/TemporaryFolder.h"
+#include "base/TemporaryFolder.h"
 #include "workbench/clicks/Hand.h"
 
 namespace gt {

@@ -6,10 +6,10 @@
 #include "framework/Module.h"
 #include "modules/behavior/Tasks.h"
 #include "modules/behavior/control/Behavior.h"
-#include "modules/behavior/control/BehaviorControlRequest.h"
 #include "modules/behavior/control/SymbolSources.h"
 #include "modules/behavior/skills/BasicBehaviors.h"
 #include "modules/behavior/tactics/WorldState.h"
+#include "representations/behavior/BehaviorControlRequest.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "xabsl/engine/Engine.h"
 

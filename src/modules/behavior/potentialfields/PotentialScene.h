@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "base/Enum.h"
-#include "modules/behavior/potentialfields/PotentialFields.h"
 #include "modules/behavior/tactics/WorldState.h"
+#include "representations/behavior/PotentialFields.h"
 
 namespace gt {
 

@@ -1,9 +1,9 @@
 #pragma once
 #include <tuple>
 
-#include "modules/behavior/potentialfields/PotentialFields.h"
 #include "modules/behavior/tactics/PlayValues.h"
-#include "modules/behavior/tactics/TargetPoints.h"
+#include "representations/behavior/PotentialFields.h"
+#include "representations/behavior/TargetPoints.h"
 #include "representations/behavior/TeamMessage.h"
 #include "representations/infrastructure/FieldDimensions.h"
 #include "representations/infrastructure/FrameInfo.h"

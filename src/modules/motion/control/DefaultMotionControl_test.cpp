@@ -7,7 +7,7 @@
 
 #include "base/Random.h"
 #include "modules/kinematics/LegKinematics.h"
-#include "modules/motion/MotionHarness.h"
+#include "modules/motion/testing/MotionHarness.h"
 
 namespace gt {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "modules/motion/MotionHarness.h"
+#include "modules/motion/testing/MotionHarness.h"
 
 namespace gt {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "modules/motion/MotionHarness.h"
+#include "modules/motion/testing/MotionHarness.h"
 
 namespace gt {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "modules/motion/MotionHarness.h"
+#include "modules/motion/testing/MotionHarness.h"
 #include "streams/Config.h"
 
 namespace gt {

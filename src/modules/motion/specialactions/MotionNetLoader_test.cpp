@@ -6,8 +6,8 @@
 #include <regex>
 #include <sstream>
 
+#include "base/File.h"
 #include "modules/kinematics/LegKinematics.h"
-#include "streams/File.h"
 
 namespace gt {
 namespace {

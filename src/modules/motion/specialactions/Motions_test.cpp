@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "modules/motion/MotionHarness.h"
+#include "modules/motion/testing/MotionHarness.h"
 
 namespace gt {
 namespace {

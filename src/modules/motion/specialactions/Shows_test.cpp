@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "modules/kinematics/LegKinematics.h"
-#include "modules/motion/MotionHarness.h"
+#include "modules/motion/testing/MotionHarness.h"
 
 namespace gt {
 namespace {

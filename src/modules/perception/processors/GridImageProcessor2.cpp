@@ -1,7 +1,7 @@
 #include "modules/perception/processors/GridImageProcessor2.h"
 
 #include "colors/ClassColors.h"
-#include "modules/perception/specialists/FlagColors.h"
+#include "modules/perception/scanning/FlagColors.h"
 
 namespace gt {
 namespace {

@@ -2,8 +2,8 @@
 #include <vector>
 
 #include "modules/perception/scanning/CameraImage.h"
+#include "modules/perception/scanning/FlagColors.h"
 #include "modules/perception/scanning/ScanGrid.h"
-#include "modules/perception/specialists/FlagColors.h"
 #include "representations/perception/LandmarksPercept.h"
 
 namespace gt {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "modules/perception/specialists/FlagColors.h"
+#include "modules/perception/scanning/FlagColors.h"
 
 namespace gt {
 namespace {

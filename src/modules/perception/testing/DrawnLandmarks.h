@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "modules/perception/processors/GT2003ImageProcessor.h"
-#include "modules/perception/specialists/FlagColors.h"
+#include "modules/perception/scanning/FlagColors.h"
 #include "modules/perception/testing/DrawnImage.h"
 
 namespace gt {

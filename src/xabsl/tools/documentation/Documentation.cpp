@@ -5,7 +5,7 @@
 #include <system_error>
 #include <vector>
 
-#include "streams/File.h"
+#include "base/File.h"
 #include "xabsl/tools/documentation/Charts.h"
 #include "xabsl/tools/documentation/Graphviz.h"
 #include "xabsl/tools/documentation/Html.h"
