@@ -4,6 +4,7 @@
 
 #include "base/Random.h"
 #include "simulation/Simulation.h"
+#include "simulation/parameters/ChallengeParameters.h"
 
 namespace gt {
 

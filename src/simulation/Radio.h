@@ -4,7 +4,7 @@
 #include "base/Random.h"
 #include "representations/behavior/TeamMessage.h"
 #include "representations/infrastructure/Player.h"
-#include "simulation/scene/Scene.h"
+#include "simulation/parameters/RadioParameters.h"
 
 namespace gt {
 

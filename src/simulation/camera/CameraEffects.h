@@ -33,6 +33,8 @@ struct CameraEffects {
 
   /// No image is older than its time stamp by more (ms).
   static constexpr double longestDelay = 40;
+  /// All rows of an image together take no longer (ms).
+  static constexpr double longestImage = 40;
 
   /// What they are at a time, with the light that there is then.
   CameraEffects at(Time time) const;

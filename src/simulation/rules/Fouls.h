@@ -5,6 +5,7 @@
 #include "representations/infrastructure/FieldDimensions.h"
 #include "representations/infrastructure/GameControlData.h"
 #include "representations/infrastructure/Player.h"
+#include "simulation/parameters/RuleParameters.h"
 #include "simulation/world/World.h"
 
 namespace gt {

@@ -9,6 +9,8 @@
 #include "representations/infrastructure/FieldDimensions.h"
 #include "representations/infrastructure/GameControlData.h"
 #include "representations/infrastructure/Player.h"
+#include "simulation/parameters/GameParameters.h"
+#include "simulation/parameters/RuleParameters.h"
 #include "simulation/rules/Fouls.h"
 #include "simulation/rules/GameController.h"
 #include "simulation/rules/GameEvent.h"

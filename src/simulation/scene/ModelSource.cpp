@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "simulation/scene/FieldSensorModel.h"
 #include "simulation/scene/ScenePeople.h"
-#include "simulation/sensors/FieldSensors.h"
 
 namespace gt {
 namespace {
@@ -185,7 +185,7 @@ void Selection::takeList(const char* section, ModelKind kind) {
     if (!other.empty())
       leaveOut(elements[i], "refers to " + other + ", which is not below the first body");
     else if (kind == ModelKind::sensor &&
-             (model_.sensor_type[id] == mjSENS_USER || !isKnownSensor(model_, id)))
+             (model_.sensor_type[id] == mjSENS_USER || !fieldSensor(model_, id)))
       leaveOut(elements[i], "is of a kind that the simulator does not know");
     else
       source_.rows[kind].push_back(id);

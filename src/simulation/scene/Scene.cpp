@@ -11,7 +11,6 @@
 #include "base/File.h"
 #include "simulation/scene/ProfileTable.h"
 #include "simulation/scene/Xml.h"
-#include "simulation/world/World.h"
 #include "streams/Type.h"
 
 namespace gt {
@@ -106,7 +105,7 @@ void SceneReader::checkOptics(const xmlNode* node, CameraInfo& optics) {
   if (attribute(node, "centerY").empty()) optics.centerY = optics.height / 2.0;
   for (const auto& [name, size] : {std::pair{"width", optics.width}, {"height", optics.height}})
     if (size > maxImageSize) error(node, name, "expected at most " + std::to_string(maxImageSize));
-  constexpr double longest = static_cast<double>(World::longestImage * tickMs);
+  constexpr double longest = CameraEffects::longestImage;
   if ((optics.height - 1) * optics.rowTime > longest)
     error(node, "rowTime", "all rows together take longer than " + std::to_string(longest) + " ms");
 }

@@ -3,6 +3,7 @@
 
 #include "base/Random.h"
 #include "representations/infrastructure/CeilingCameraPercept.h"
+#include "simulation/parameters/CeilingCameraParameters.h"
 #include "simulation/world/World.h"
 
 namespace gt {

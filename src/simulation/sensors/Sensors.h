@@ -3,6 +3,7 @@
 
 #include "base/Random.h"
 #include "representations/infrastructure/SensorData.h"
+#include "simulation/parameters/NoiseParameters.h"
 #include "simulation/world/RobotBuild.h"
 #include "simulation/world/World.h"
 

@@ -2,6 +2,7 @@
 #include <span>
 #include <vector>
 
+#include "simulation/parameters/BallParameters.h"
 #include "simulation/world/Carpet.h"
 #include "simulation/world/Obstacles.h"
 #include "simulation/world/World.h"

@@ -2,6 +2,9 @@
 #include <array>
 #include <vector>
 
+#include "simulation/parameters/BallParameters.h"
+#include "simulation/parameters/DynamicsParameters.h"
+#include "simulation/parameters/NoiseParameters.h"
 #include "simulation/world/Carpet.h"
 #include "simulation/world/Servo.h"
 #include "simulation/world/StepNoise.h"

@@ -2,7 +2,8 @@
 #include <array>
 
 #include "base/Random.h"
-#include "simulation/scene/Scene.h"
+#include "simulation/parameters/BodyParameters.h"
+#include "simulation/parameters/WalkingParameters.h"
 
 namespace gt {
 

@@ -1,6 +1,9 @@
 #pragma once
 #include <algorithm>
 
+#include "simulation/parameters/BodyParameters.h"
+#include "simulation/parameters/NoiseParameters.h"
+#include "simulation/parameters/WalkingParameters.h"
 #include "simulation/world/BallPhysics.h"
 #include "simulation/world/Gait.h"
 #include "simulation/world/StepNoise.h"

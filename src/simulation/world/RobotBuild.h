@@ -3,6 +3,7 @@
 #include "base/Random.h"
 #include "simulation/camera/CameraEffects.h"
 #include "simulation/camera/CameraView.h"
+#include "simulation/parameters/BodyParameters.h"
 #include "simulation/scene/Scene.h"
 #include "simulation/world/World.h"
 

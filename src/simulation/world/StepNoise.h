@@ -2,7 +2,7 @@
 #include <array>
 
 #include "base/Random.h"
-#include "simulation/scene/Scene.h"
+#include "simulation/parameters/NoiseParameters.h"
 
 namespace gt {
 

@@ -87,12 +87,11 @@ struct Put {
 /// first, those of `extras` behind them. How bodies move is up to the fidelity (`makeWorld`).
 class World {
  public:
-  /// Ticks that all rows of an image together take at most.
-  static constexpr std::size_t longestImage = 5;
   /// Ticks back that the camera's pose can be asked for: more than an image's exposure, which may
   /// have ended some time ago.
   static constexpr std::size_t cameraHistory =
-      longestImage + 1 + static_cast<std::size_t>(CameraEffects::longestDelay) / tickMs;
+      static_cast<std::size_t>(CameraEffects::longestImage + CameraEffects::longestDelay) / tickMs +
+      1;
 
   virtual ~World() = default;
 

@@ -1,0 +1,54 @@
+#pragma once
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// How robots were put together, each of them differently, and how their joints and legs give.
+/// What differs from robot to robot is normally distributed. Element `body`.
+struct BodyParameters {
+  double tilt = 0;
+  double roll = 0;
+  double jointOffset = 0;
+  double accelerationOffset = 0;
+  double cameraLight = 0;
+  double cameraColor = 0;
+  double backlash = 0;
+  double commandDelay = 0;
+  double swayTilt = 0;
+  double swayRoll = 0;
+  double swayHeight = 0;
+
+  /// No command waits longer (ms).
+  static constexpr double longestDelay = 120;
+
+  static constexpr auto fields() {
+    using P = BodyParameters;
+    constexpr Range degrees{0, 20};
+    return Fields{
+        field("tilt", &P::tilt, "deg",
+              "standard deviation, from robot to robot, of how much the body leans back more than "
+              "joints and robot.cfg state",
+              degrees),
+        field("roll", &P::roll, "deg", "likewise to the right", degrees),
+        field("jointOffset", &P::jointOffset, "deg",
+              "standard deviation of the zero of each robot's each joint", degrees),
+        field("accelerationOffset", &P::accelerationOffset, "mm/s^2",
+              "standard deviation of the zero of each robot's acceleration sensors", {0, 5000}),
+        field("cameraLight", &P::cameraLight, "",
+              "standard deviation of how bright each robot's camera sees, as a share", {0, 0.5}),
+        field("cameraColor", &P::cameraColor, "",
+              "standard deviation of what each robot's camera adds to cb and to cr", {0, 60}),
+        field("backlash", &P::backlash, "deg",
+              "by which a joint can be turned without its sensor noticing", degrees),
+        field("commandDelay", &P::commandDelay, "ms",
+              "from a command until the motors act on it, beyond the next tick", {0, longestDelay}),
+        field("swayTilt", &P::swayTilt, "deg",
+              "standard deviation of the body's tilt, by legs that give, at 200 mm/s; kinematic "
+              "fidelity only, as the other swaying",
+              degrees),
+        field("swayRoll", &P::swayRoll, "deg", "of its roll", degrees),
+        field("swayHeight", &P::swayHeight, "mm", "of its height", {0, 50})};
+  }
+};
+
+}  // namespace gt

@@ -1,0 +1,49 @@
+#pragma once
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// What the referee penalizes, after how many seconds of it; 0: never (facts, 2.2). How long robots
+/// are removed, and the penalty shoot-out. Element `rules`.
+struct RuleParameters {
+  double ballHolding = 3;
+  double keeperBallHolding = 5;
+  double keeperCharge = 3;
+  double fieldPlayerCharge = 3;
+  double illegalDefender = 3;
+  double illegalDefense = 3;
+  double obstruction = 3;
+  double requestForPickup = 15;
+  double removal = 30;
+  double obstructionRemoval = 0;
+  int shots = 5;
+  double shotTime = 60;
+
+  static constexpr auto fields() {
+    constexpr Range seconds{0, 600};
+    return Fields{
+        field("ballHolding", &RuleParameters::ballHolding, "s",
+              "a field player's, or the keeper's outside of its penalty area", seconds),
+        field("keeperBallHolding", &RuleParameters::keeperBallHolding, "s",
+              "the keeper's in its penalty area", seconds),
+        field("keeperCharge", &RuleParameters::keeperCharge, "s",
+              "walking into the other keeper in its penalty area", seconds),
+        field("fieldPlayerCharge", &RuleParameters::fieldPlayerCharge, "s",
+              "walking into any other robot of the other team", seconds),
+        field("illegalDefender", &RuleParameters::illegalDefender, "s",
+              "a field player in the own penalty area", seconds),
+        field("illegalDefense", &RuleParameters::illegalDefense, "s",
+              "in the center circle at the other team's kick-off", seconds),
+        field("obstruction", &RuleParameters::obstruction, "s",
+              "standing in an opponent's path, far from the ball", seconds),
+        field("requestForPickup", &RuleParameters::requestForPickup, "s",
+              "lying on the side without getting up", seconds),
+        field("removal", &RuleParameters::removal, "s", "for all penalties but obstruction",
+              seconds),
+        field("obstructionRemoval", &RuleParameters::obstructionRemoval, "s", "", seconds),
+        field("shots", &RuleParameters::shots, "", "of each team in a shoot-out", {1, 100}),
+        field("shotTime", &RuleParameters::shotTime, "s", "for one shot", {1, 600})};
+  }
+};
+
+}  // namespace gt

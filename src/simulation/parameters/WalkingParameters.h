@@ -1,0 +1,40 @@
+#pragma once
+#include "streams/Reflection.h"
+
+namespace gt {
+
+/// How the carpet shortens walked distances, where feet slip on it, and what is felt of things in
+/// the way. The dynamic fidelity does not need it: friction and contacts have this effect there.
+/// Element `walking`.
+struct WalkingParameters {
+  double shortfall = 0;
+  double gaitShortfall = 0;
+  double bursts = 0;
+  double burstTime = 0.5;
+  double burstSlip = 0.5;
+  double contactTurn = 0;
+  double contactLag = 0;
+  double contactShaking = 0;
+
+  static constexpr auto fields() {
+    using P = WalkingParameters;
+    return Fields{
+        field("shortfall", &P::shortfall, "",
+              "share by which all walked distances are shorter on this carpet", {-0.5, 0.9}),
+        field("gaitShortfall", &P::gaitShortfall, "",
+              "share that is added to it at 200 mm/s, in proportion to the speed", {-0.5, 0.9}),
+        field("bursts", &P::bursts, "1/min", "how often a robot that walks begins to slip",
+              {0, 1000}),
+        field("burstTime", &P::burstTime, "s", "mean time for which it slips", {0.01, 60}),
+        field("burstSlip", &P::burstSlip, "", "share of the distance that is lost meanwhile",
+              {0, 1}),
+        field("contactTurn", &P::contactTurn, "deg/s",
+              "at most, by which a robot is turned that walks against a wall or a robot", {0, 360}),
+        field("contactLag", &P::contactLag, "",
+              "share by which its legs move less than free ones would in the same time", {0, 0.9}),
+        field("contactShaking", &P::contactShaking, "mm/s^2",
+              "standard deviation of what its acceleration sensors feel of that", {0, 20000})};
+  }
+};
+
+}  // namespace gt
