@@ -1,10 +1,14 @@
 #pragma once
+#include "representations/behavior/BehaviorControlRequest.h"
+#include "representations/behavior/BehaviorRequest.h"
 #include "representations/behavior/BehaviorState.h"
 #include "representations/behavior/BehaviorTrace.h"
 #include "representations/behavior/HeadControlMode.h"
 #include "representations/behavior/LedRequest.h"
 #include "representations/behavior/MotionRequest.h"
+#include "representations/behavior/PotentialFields.h"
 #include "representations/behavior/SoundRequest.h"
+#include "representations/behavior/TargetPoints.h"
 #include "representations/behavior/TeamMessage.h"
 #include "representations/infrastructure/CameraSettings.h"
 #include "representations/infrastructure/CeilingCameraPercept.h"
@@ -50,14 +54,15 @@ namespace gt {
 /// All representations, for whoever deals with each of them: `AllRepresentations<std::tuple>`.
 template <template <typename...> typename List>
 using AllRepresentations =
-    List<BehaviorState, BehaviorTrace, HeadControlMode, LedRequest, LedValue, MotionRequest,
-         SoundRequest, Speaker, BehaviorTeamMessage, TeamMessage, TeamMessages, CameraInfo,
-         CameraSettings, CeilingCameraPercept, FieldDimensions, FrameInfo, GameControlData, Image,
-         JointData, JointGains, OracledWorldState, Player, RobotCalibration, RobotDimensions,
-         SensorData, SensorDataBuffer, BallModel, TeamBallModel, ObstaclesModel, PlayersCollection,
-         RobotPose, RobotState, GetupEngineOutput, HeadMotionRequest, JointDataSequence, KickTable,
-         MotionInfo, MotionNet, OdometryData, SpecialActionsOutput, WalkingEngineOutput,
-         BallPercept, BodyPercept, CameraMatrix, CollisionPercept, ColorTable64, LandmarksPercept,
+    List<BehaviorControlRequest, BehaviorRequest, BehaviorState, BehaviorTrace, HeadControlMode,
+         LedRequest, LedValue, MotionRequest, PotentialFields, SoundRequest, Speaker, TargetPoints,
+         BehaviorTeamMessage, TeamMessage, TeamMessages, CameraInfo, CameraSettings,
+         CeilingCameraPercept, FieldDimensions, FrameInfo, GameControlData, Image, JointData,
+         JointGains, OracledWorldState, Player, RobotCalibration, RobotDimensions, SensorData,
+         SensorDataBuffer, BallModel, TeamBallModel, ObstaclesModel, PlayersCollection, RobotPose,
+         RobotState, GetupEngineOutput, HeadMotionRequest, JointDataSequence, KickTable, MotionInfo,
+         MotionNet, OdometryData, SpecialActionsOutput, WalkingEngineOutput, BallPercept,
+         BodyPercept, CameraMatrix, CollisionPercept, ColorTable64, LandmarksPercept,
          LearnedCalibration, LinesPercept, ObstaclesPercept, PlayersPercept, PsdPercept>;
 
 }  // namespace gt

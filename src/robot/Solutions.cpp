@@ -8,7 +8,6 @@
 #include "modules/motion/Tasks.h"
 #include "modules/perception/Tasks.h"
 #include "representations/behavior/BehaviorControlRequest.h"
-#include "representations/behavior/BehaviorRequest.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/Player.h"
 #include "representations/motion/JointDataSequence.h"
@@ -34,7 +33,6 @@ std::vector<const RepresentationType*> RobotModules::given() const {
 std::vector<const RepresentationType*> RobotModules::messageTypes() const {
   // Those that tools know, too, and what the modules add.
   std::vector<const RepresentationType*> types = gt::messageTypes();
-  types.push_back(&representation<BehaviorRequest>());
   const auto add = [&](const std::vector<const RepresentationType*>& more) {
     types.insert(types.end(), more.begin(), more.end());
   };
