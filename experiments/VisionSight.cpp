@@ -73,7 +73,7 @@ Result<Measurement> measureSight(const Job& job, const DataRoot& root) {
       const std::size_t index = (*match)->robotIndex(i);
       const Robot& robot = (*match)->robots()[i]->robot();
       const auto* behavior = robot.provided<BehaviorTeamMessage>();
-      const BallModel* ball = (*match)->robots()[i]->ball();
+      const BallModel* ball = (*match)->robots()[i]->belief().ball;
       if (simulation.input(index).game.penalty != Penalty::none || !behavior || !ball ||
           behavior->role != DynamicRole::striker)
         continue;

@@ -93,9 +93,9 @@ void TeamBallWatch::update(std::size_t robot, const BallModel& ball, const Robot
 
 void compareObstacles(const SimulatedRobot& robot, const OracledWorldState& truth, Tally& tally) {
   const auto* obstacles = robot.robot().provided<ObstaclesModel>();
-  if (!obstacles || !robot.motion()) return;
-  if (robot.motion()->executed.type != MotionType::walk ||
-      robot.motion()->executed.walk.translation.x() < 50)
+  if (!obstacles || !robot.belief().motion) return;
+  if (robot.belief().motion->executed.type != MotionType::walk ||
+      robot.belief().motion->executed.walk.translation.x() < 50)
     return;
   ObstaclesModel real;
   OracledObstaclesLocator{}.update(truth, dimensions, {truth.time}, real);

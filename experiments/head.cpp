@@ -112,7 +112,7 @@ class LookingRobot {
   }
   bool sees() const { return program_->robot().provided<BallPercept>()->seen; }
   /// For how long it has not seen the ball (ms).
-  std::int64_t unseen() const { return now() - program_->ball()->lastSeen; }
+  std::int64_t unseen() const { return now() - program_->belief().ball->lastSeen; }
 
  private:
   LookingRobot(std::unique_ptr<Simulation> simulation, std::uint64_t seed)
@@ -173,7 +173,8 @@ void compareWithTruth(LookingRobot& robot, const std::string& name, Tally& tally
   tally.count(name + ".known", robot.unseen() < knownFor);
   tally.measure(
       name + ".pose", "mm",
-      (robot.program().pose()->pose.translation - robot.truth().robotPose.translation).norm());
+      (robot.program().belief().pose->pose.translation - robot.truth().robotPose.translation)
+          .norm());
 }
 
 Measurement measurementOf(const Tally& tally) {
@@ -211,7 +212,7 @@ Result<Measurement> searchForBall(const Job& job, const DataRoot& root) {
         tally.measure(name + ".found", "s", static_cast<double>(robot.now() - began) / 1000);
       }
       // The search may overshoot the ball; what comes after it was watched is a scan.
-      watched |= found && robot.program().ball()->consecutiveTimeSeen >= watchedFor;
+      watched |= found && robot.program().belief().ball->consecutiveTimeSeen >= watchedFor;
       if (watched) scans.look(robot);
       if (found && image) compareWithTruth(robot, name, tally);
     }

@@ -93,7 +93,7 @@ class BallWatcher {
     constexpr std::int64_t glance = 900;  // ms
     return match_->time() - model().lastSeen < glance && (model().position - ball()).norm() < 300;
   }
-  const BallModel& model() { return *robot().ball(); }
+  const BallModel& model() { return *robot().belief().ball; }
 
   void compareResting(Tally& tally) {
     tally.measure("resting.position", "mm", (model().position - ball()).norm());

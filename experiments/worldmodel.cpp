@@ -101,7 +101,7 @@ void look(Match& match, Watches& watches, int picture, Truth& truths, Tally& tal
   std::vector<std::pair<std::size_t, TeamMessage>> messages;
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const std::size_t index = match.robotIndex(i);
-    if (match.simulation().input(index).game.penalty != Penalty::none || !robots[i]->pose())
+    if (match.simulation().input(index).game.penalty != Penalty::none || !robots[i]->belief().pose)
       continue;
     const OracledWorldState* truth = truths.of(index, tally);
     if (!truth) continue;
@@ -110,7 +110,7 @@ void look(Match& match, Watches& watches, int picture, Truth& truths, Tally& tal
     const Player& player = robots[i]->robot().setup().player;
     if (const auto* players = robots[i]->robot().provided<PlayersCollection>())
       comparePlayers(*players, player.teamColor, *truth, tally);
-    const RobotPose& pose = *robots[i]->pose();
+    const RobotPose& pose = *robots[i]->belief().pose;
     const BallModel& ball = watches.balls[index].probabilistic();
     for (TeamBallWatch& team : watches.team) team.update(index, ball, pose, *truth, tally);
     if (picture % imagesPerTeamMessage == 0)

@@ -182,8 +182,8 @@ void BallGame::observe(std::size_t agent, std::span<float> numbers) {
     ball.speed = rotated(this->ball().speed, -pose(agent).rotation);
     ball.lastSeen = now;
   } else {
-    if (const RobotPose* believed = program(agent).pose()) self = believed->pose;
-    if (const BallModel* believed = program(agent).ball()) ball = *believed;
+    if (const RobotPose* believed = program(agent).belief().pose) self = believed->pose;
+    if (const BallModel* believed = program(agent).belief().ball) ball = *believed;
   }
   std::vector<double> all;
   const auto add = [&](const Vector2d& v) { all.insert(all.end(), {v.x() / 1000, v.y() / 1000}); };

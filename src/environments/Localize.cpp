@@ -105,7 +105,7 @@ class Localize : public Players {
   }
 
   RobotPose believed() const {
-    const RobotPose* pose = program(0).pose();
+    const RobotPose* pose = program(0).belief().pose;
     return pose ? *pose : RobotPose{};
   }
 

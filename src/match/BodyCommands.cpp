@@ -46,19 +46,26 @@ bool isSane(const TeamMessage& message) {
          !std::isnan(message.behavior.estimatedTimeToReachBall);
 }
 
-void BodyCommands::give(RobotOutput& output, bool withImage) {
+template <typename T>
+void BodyCommands::give(T& command, bool) const {
+  if (const T* given = place<T>()) command = *given;
+}
+
+void BodyCommands::give(std::optional<TeamMessage>& message, bool withImage) const {
+  if (const auto* given = place<TeamMessage>();
+      given && withImage && images_ % imagesPerTeamMessage == 0)
+    message = *given;
+}
+
+void BodyCommands::give(std::optional<CameraSettings>& settings, bool) {
+  if (const auto* given = place<CameraSettings>(); given && *given != camera)
+    settings = camera = *given;
+}
+
+void BodyCommands::give(RobotOutput& output, const Belief& belief, bool withImage) {
   images_ += withImage;
-  if (const auto* joints = place<JointData>()) output.joints = *joints;
-  if (const auto* odometry = place<OdometryData>()) output.odometry = *odometry;
-  if (const auto* leds = place<LedValue>()) output.leds = *leds;
-  if (const auto* gains = place<JointGains>()) output.gains = *gains;
-  if (const auto* speaker = place<Speaker>()) output.speaker = *speaker;
-  if (motion) output.specialAction = motion->executed.specialAction;
-  if (const auto* message = place<TeamMessage>();
-      message && withImage && images_ % imagesPerTeamMessage == 0)
-    output.message = *message;
-  if (const auto* settings = place<CameraSettings>(); settings && *settings != camera)
-    output.camera = camera = *settings;
+  output.forEach([&](auto& command) { give(command, withImage); });
+  if (belief.motion) output.specialAction = belief.motion->executed.specialAction;
 }
 
 }  // namespace gt

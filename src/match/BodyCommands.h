@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 
 #include "match/MatchRobot.h"
 
@@ -14,21 +15,29 @@ class BodyCommands {
   /// Where the values lie, as they are at the end of each cycle; null what the robot does not
   /// provide.
   CommandSlots<Provided> places{};
-  const MotionInfo* motion = nullptr;
   CameraSettings camera;  ///< As the camera is set.
 
   template <typename T>
   const T* place() const {
     return std::get<const T*>(places);
   }
-  /// To be called once after each cycle.
-  void give(RobotOutput& output, bool withImage);
+  /// To be called once after each cycle, with what the robot does then.
+  void give(RobotOutput& output, const Belief& belief, bool withImage);
 
  private:
+  template <typename T>
+  void give(T& command, bool withImage) const;
+  void give(std::optional<TeamMessage>& message, bool withImage) const;
+  void give(std::optional<CameraSettings>& settings, bool withImage);
+
   std::int64_t images_ = 0;
 };
 
-/// Whether a robot's body and its team can take these: programs elsewhere may send anything.
+/// Whether a robot's body and its team can take a command: programs elsewhere may send anything.
+template <typename T>
+bool isSane(const T&) {
+  return true;
+}
 bool isSane(const JointData& joints);
 bool isSane(const JointGains& joints);
 bool isSane(const OdometryData& odometry);

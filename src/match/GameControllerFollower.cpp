@@ -61,10 +61,11 @@ void GameControllerFollower::answer() const {
     answer.player = players[i].number();
     answer.fallen = simulation_.world().robot(i).posture != Posture::standing;
     const MatchRobot& robot = *robots_[i];
-    if (robot.pose()) answer.pose = robot.pose()->pose;
-    if (robot.ball() && robot.ball()->lastSeen != never()) {
-      answer.ballAge = static_cast<double>(simulation_.time() - robot.ball()->lastSeen) / 1000;
-      answer.ball = robot.ball()->position;
+    if (robot.belief().pose) answer.pose = robot.belief().pose->pose;
+    if (robot.belief().ball && robot.belief().ball->lastSeen != never()) {
+      answer.ballAge =
+          static_cast<double>(simulation_.time() - robot.belief().ball->lastSeen) / 1000;
+      answer.ball = robot.belief().ball->position;
     }
     link_->answer(answerBytes(answer, last_->version), gameControllerAnswerPort(last_->version));
   }

@@ -72,7 +72,7 @@ void LockstepRobot::finish(RobotOutput& output) {
   auto done = receive();
   if (done) done = takeAnswer();
   if (done)
-    commands_.give(output, withImage_);
+    commands_.give(output, belief_, withImage_);
   else
     failure_ = named(done.error());
 }
@@ -86,40 +86,34 @@ Result<void> LockstepRobot::send(const RobotInput& input) {
   return {};
 }
 
+/// The slot for what lies at a place.
+template <typename Slots, typename T>
+auto& LockstepRobot::slot(Slots& slots, const T*) {
+  return std::get<Received<T>>(slots);
+}
+
 template <typename T>
-Result<void> LockstepRobot::Received<T>::take(const Message& message) {
+Result<void> LockstepRobot::Received<T>::take(const Message& message, const T*& place) {
   if (!message.is<T>()) return {};
   if (auto done = message.read(value); !done) return done;
-  if constexpr (requires { isSane(value); })
-    if (!isSane(value))
-      return Error{.field = std::string{representation<T>().name},
-                   .what = "its program commands what no body can do"};
+  if (!isSane(value))
+    return Error{.field = std::string{representation<T>().name},
+                 .what = "its program commands what no body can do"};
   place = &value;
   return {};
 }
 
 Result<void> LockstepRobot::takeAnswer() {
   Result<void> done;
-  const auto takeFrom = [&](const Message& message, auto& received) {
-    if (auto taken = received.take(message); !taken) done = taken;
-  };
   messages_.handleAllMessages([&](const Message& message) {
-    std::apply([&](auto&... received) { (takeFrom(message, received), ...); }, received_);
-    takeFrom(message, pose_);
-    takeFrom(message, ball_);
-    takeFrom(message, state_);
-    takeFrom(message, motion_);
+    const auto take = [&]<typename T>(Received<T>& received, const T*& place) {
+      if (auto taken = received.take(message, place); !taken) done = taken;
+    };
+    std::apply([&](auto&... places) { (take(slot(received_, places), places), ...); },
+               commands_.places);
+    belief_.forEach([&](auto& part) { take(slot(believed_, part), part); });
   });
   if (!done) return done;
-  std::apply(
-      [&](auto&... received) {
-        const auto copy = [&]<typename T>(const Received<T>& from) {
-          std::get<const T*>(commands_.places) = from.place;
-        };
-        (copy(received), ...);
-      },
-      received_);
-  commands_.motion = motion_.place;
   if (!commands_.place<JointData>()) return Error{.what = "its program commands no joints"};
   return {};
 }

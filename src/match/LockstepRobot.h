@@ -34,10 +34,6 @@ class LockstepRobot : public MatchRobot {
   Image* nextImage() override { return &image_; }
   const Image* lastImage() const override { return &image_; }
 
-  const RobotPose* pose() const override { return pose_.place; }
-  const BallModel* ball() const override { return ball_.place; }
-  const RobotState* state() const override { return state_.place; }
-  const MotionInfo* motion() const override { return motion_.place; }
   const std::string& name() const { return name_; }
   /// What the robot told at the beginning.
   const LockstepGreeting& greeting() const { return greeting_; }
@@ -49,11 +45,13 @@ class LockstepRobot : public MatchRobot {
   template <typename T>
   struct Received {
     T value;
-    const T* place = nullptr;  ///< Of the value, once one has come.
 
-    Result<void> take(const Message& message);
+    /// Reads it if the message holds one, and sets the place where it lies from then on.
+    Result<void> take(const Message& message, const T*& place);
   };
 
+  template <typename Slots, typename T>
+  static auto& slot(Slots& slots, const T* place);
   Result<void> send(const RobotInput& input);
   Result<void> takeAnswer();
   Result<void> receive();
@@ -66,10 +64,7 @@ class LockstepRobot : public MatchRobot {
   LockstepGreeting greeting_;
   Image image_;
   CommandSlots<Received> received_;
-  Received<RobotPose> pose_;
-  Received<BallModel> ball_;
-  Received<RobotState> state_;
-  Received<MotionInfo> motion_;
+  BeliefSlots<Received> believed_;
   BodyCommands commands_;
   bool withImage_ = false;  ///< In this tick.
   std::optional<Error> failure_;

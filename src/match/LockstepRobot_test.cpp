@@ -65,8 +65,8 @@ TEST_F(LockstepRobotTest, SendsWhatIsMeasuredAndTakesTheAnswerOfTheSameTick) {
   cycle();
   EXPECT_EQ(failure(), "");
   EXPECT_EQ(output.joints.angles[Joint::headPan], 0.5);
-  EXPECT_TRUE(robot->ball());
-  EXPECT_FALSE(robot->pose()) << "it provides none";
+  EXPECT_TRUE(robot->belief().ball);
+  EXPECT_FALSE(robot->belief().pose) << "it provides none";
   MessageQueue asked{lockstepQueueSize};
   ASSERT_TRUE(program->receive(asked));
   int messages = 0;

@@ -376,8 +376,8 @@ std::uint64_t Match::fingerprint() const {
   const std::uint64_t world = simulation_->fingerprint();
   sum.addBytes(&world, sizeof world);
   for (const MatchRobot* robot : allRobots_) {
-    if (robot->pose()) sum.add(robot->pose()->pose.translation.data(), 2);
-    if (robot->ball()) sum.add(robot->ball()->position.data(), 2);
+    if (robot->belief().pose) sum.add(robot->belief().pose->pose.translation.data(), 2);
+    if (robot->belief().ball) sum.add(robot->belief().ball->position.data(), 2);
   }
   return sum.value();
 }

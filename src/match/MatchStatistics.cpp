@@ -41,7 +41,7 @@ void MatchStatistics::update() {
     if (simulation_.input(i).image && running) compare(i);
     if (!second) continue;
     RobotSample sample{simulation_.world().robot(i).pose, 0};
-    if (const RobotPose* pose = robots_[i]->pose())
+    if (const RobotPose* pose = robots_[i]->belief().pose)
       sample.localizationError =
           (toTeam(simulation_.players()[i].teamColor, pose->pose).translation -
            sample.pose.translation)
@@ -75,7 +75,7 @@ void MatchStatistics::watchPlay() {
     } else if (player.role == PlayerRole::goalie) {
       robot.role = DynamicRole::goalie;
     }
-    if (const BallModel* ball = robots_[i]->ball())
+    if (const BallModel* ball = robots_[i]->belief().ball)
       robot.ballUnseen = static_cast<double>(simulation_.image(i).time - ball->lastSeen);
   }
   play_.see(moment_);
@@ -85,13 +85,13 @@ void MatchStatistics::compare(std::size_t robot) {
   const Pose2D truth =
       toTeam(simulation_.players()[robot].teamColor, simulation_.world().robot(robot).pose);
   RobotRecord& record = records_[robot];
-  if (const RobotPose* pose = robots_[robot]->pose()) {
+  if (const RobotPose* pose = robots_[robot]->belief().pose) {
     record.localization.push_back((pose->pose.translation - truth.translation).norm());
     record.lostFor = record.localization.back() > lostDistance ? record.lostFor + 1 : 0;
     record.longestLost = std::max(record.longestLost, record.lostFor);
     record.rotation.push_back(std::abs(normalize(pose->pose.rotation - truth.rotation)));
   }
-  const BallModel* ball = robots_[robot]->ball();
+  const BallModel* ball = robots_[robot]->belief().ball;
   if (ball && ball->lastSeen == simulation_.image(robot).time &&
       simulation_.world().ballCount() > 0) {
     const Vector2d onField =
@@ -102,7 +102,7 @@ void MatchStatistics::compare(std::size_t robot) {
 
 void MatchStatistics::countActions(std::size_t robot) {
   RobotRecord& record = records_[robot];
-  if (const MotionInfo* motion = robots_[robot]->motion()) {
+  if (const MotionInfo* motion = robots_[robot]->belief().motion) {
     static const std::string none;
     const std::string& action =
         motion->executed.type == MotionType::specialAction ? motion->executed.specialAction : none;
@@ -112,7 +112,7 @@ void MatchStatistics::countActions(std::size_t robot) {
       record.lastAction = action;
     }
   }
-  if (const RobotState* state = robots_[robot]->state()) {
+  if (const RobotState* state = robots_[robot]->belief().state) {
     record.falls += state->state == BodyState::fallen && record.lastState != BodyState::fallen;
     record.lastState = state->state;
   }

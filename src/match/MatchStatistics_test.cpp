@@ -11,16 +11,13 @@ namespace {
 /// A robot that stands, and believes to be 300 mm beside where it is.
 class Believer : public MatchRobot {
  public:
+  Believer() { belief_ = {.pose = &pose_, .state = &state_}; }
   void cycle(const RobotInput& input, RobotOutput& output) override {
     output.joints.angles = standing();
     pose_.pose = input.oracle.robotPose;
     pose_.pose.translation.y() += 300 + (input.now > Time{lostFrom} ? 1000 : 0);
     state_.state = input.now > Time{lostFrom} ? BodyState::fallen : BodyState::standing;
   }
-  const RobotPose* pose() const override { return &pose_; }
-  const BallModel* ball() const override { return nullptr; }
-  const RobotState* state() const override { return &state_; }
-  const MotionInfo* motion() const override { return nullptr; }
 
   static constexpr std::int64_t lostFrom = 1200;
 

@@ -16,7 +16,10 @@ constexpr std::int64_t offAfter = 2000;  // ms
 
 }  // namespace
 
-RemoteRobot::RemoteRobot() : wire_{network_, platformProcess} {}
+RemoteRobot::RemoteRobot() : wire_{network_, platformProcess} {
+  belief_.forEach(
+      [&]<typename T>(const T*& part) { part = &std::get<ReceivedPackage<T>>(believed_).value; });
+}
 
 template <typename T>
 void RemoteRobot::receive(ReceivedPackage<T>& in, const Plan& plan) {
@@ -34,10 +37,7 @@ Result<std::unique_ptr<RemoteRobot>> RemoteRobot::make(const RobotAddresses& add
     return done.error();
   std::apply([&](auto&... inputs) { (robot->wire_.provide(inputs.sender), ...); }, robot->inputs_);
   std::apply([&](auto&... commands) { (robot->receive(commands, plan), ...); }, robot->commands_);
-  robot->receive(robot->pose_, plan);
-  robot->receive(robot->ball_, plan);
-  robot->receive(robot->state_, plan);
-  robot->receive(robot->motion_, plan);
+  std::apply([&](auto&... parts) { (robot->receive(parts, plan), ...); }, robot->believed_);
   return robot;
 }
 
@@ -64,34 +64,47 @@ void RemoteRobot::send(const RobotInput& input) {
 }
 
 void RemoteRobot::takeCommands(const RobotInput& input, RobotOutput& output) {
-  auto& joints = command<JointData>();
-  auto& odometry = command<OdometryData>();
-  auto& leds = command<LedValue>();
-  auto& message = command<TeamMessage>();
-  const bool newJoints = joints.take();
   now_ = input.now;
-  if (newJoints) commandedAt_ = now_;
-  if (newJoints && isSane(joints.value)) output.joints = joints.value;
-  if (leds.take()) output.leds = leds.value;
-  if (auto& gains = command<JointGains>(); gains.take() && isSane(gains.value))
-    output.gains = gains.value;
-  if (auto& speaker = command<Speaker>(); speaker.take()) output.speaker = speaker.value;
-  if (odometry.take() && isSane(odometry.value)) walk(odometry.value, input, output);
-  if (auto& camera = command<CameraSettings>(); camera.take() && camera_ != camera.value)
-    output.camera = camera_ = camera.value;
-  pose_.take();
-  ball_.take();
-  state_.take();
-  if (motion_.take()) output.specialAction = motion_.value.executed.specialAction;
-  if (statistics_.frames > 0 || newJoints) {
-    ++statistics_.frames;
-    statistics_.missedFrames += !newJoints;
-  }
+  output.forEach([&](auto& command) { take(command, input); });
+  std::apply([](auto&... parts) { (parts.take(), ...); }, believed_);
+  output.specialAction = belief_.motion->executed.specialAction;
+}
 
-  newMessage_ |= message.take();
+template <typename T>
+void RemoteRobot::take(T& command, const RobotInput&) {
+  auto& in = received<T>();
+  if (in.take() && isSane(in.value)) command = in.value;
+}
+
+void RemoteRobot::take(JointData& joints, const RobotInput& input) {
+  auto& in = received<JointData>();
+  const bool isNew = in.take();
+  if (isNew) commandedAt_ = input.now;
+  if (isNew && isSane(in.value)) joints = in.value;
+  if (statistics_.frames > 0 || isNew) {
+    ++statistics_.frames;
+    statistics_.missedFrames += !isNew;
+  }
+}
+
+/// Goes on from where the robot is: after a new start its own odometry begins at the origin.
+void RemoteRobot::take(OdometryData& odometry, const RobotInput& input) {
+  auto& in = received<OdometryData>();
+  if (!in.take() || !isSane(in.value)) return;
+  const Pose2D step = in.value.pose.relativeTo(walked_);
+  const double time = std::min(static_cast<double>(input.now - walkedAt_), 200.0);
+  const bool possible =
+      step.translation.norm() <= mostSpeed * time && std::abs(step.rotation) <= mostTurning * time;
+  if (possible && walkedAt_ != never()) odometry.pose = odometry.pose * step;
+  walked_ = in.value.pose;
+  walkedAt_ = input.now;
+}
+
+void RemoteRobot::take(std::optional<TeamMessage>& message, const RobotInput& input) {
+  auto& in = received<TeamMessage>();
+  newMessage_ |= in.take();
   if (!input.image) return;
-  if (newMessage_ && isSane(message.value) && ++images_ % imagesPerTeamMessage == 0)
-    output.message = message.value;
+  if (newMessage_ && isSane(in.value) && ++images_ % imagesPerTeamMessage == 0) message = in.value;
   if (statistics_.pictures > 0 || newMessage_) {
     ++statistics_.pictures;
     statistics_.missedPictures += !newMessage_;
@@ -99,15 +112,9 @@ void RemoteRobot::takeCommands(const RobotInput& input, RobotOutput& output) {
   newMessage_ = false;
 }
 
-/// Goes on from where the robot is: after a new start its own odometry begins at the origin.
-void RemoteRobot::walk(const OdometryData& odometry, const RobotInput& input, RobotOutput& output) {
-  const Pose2D step = odometry.pose.relativeTo(walked_);
-  const auto time = static_cast<double>(input.now - walkedAt_);
-  const bool possible = step.translation.norm() <= mostSpeed * std::min(time, 200.0) &&
-                        std::abs(step.rotation) <= mostTurning * std::min(time, 200.0);
-  if (possible && walkedAt_ != never()) output.odometry.pose = output.odometry.pose * step;
-  walked_ = odometry.pose;
-  walkedAt_ = input.now;
+void RemoteRobot::take(std::optional<CameraSettings>& settings, const RobotInput&) {
+  auto& in = received<CameraSettings>();
+  if (in.take() && camera_ != in.value) settings = camera_ = in.value;
 }
 
 }  // namespace gt

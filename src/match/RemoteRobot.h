@@ -32,10 +32,6 @@ class RemoteRobot : public MatchRobot {
   Image* nextImage() override { return &std::get<SentPackage<Image>>(inputs_).value; }
   const Image* lastImage() const override { return &std::get<SentPackage<Image>>(inputs_).value; }
 
-  const RobotPose* pose() const override { return &pose_.value; }
-  const BallModel* ball() const override { return &ball_.value; }
-  const RobotState* state() const override { return &state_.value; }
-  const MotionInfo* motion() const override { return &motion_.value; }
   /// It has given commands lately.
   bool isOn() const override;
   const std::string& name() const { return name_; }
@@ -46,12 +42,18 @@ class RemoteRobot : public MatchRobot {
   template <typename T>
   void receive(ReceivedPackage<T>& in, const Plan& plan);
   template <typename T>
-  ReceivedPackage<T>& command() {
+  ReceivedPackage<T>& received() {
     return std::get<ReceivedPackage<T>>(commands_);
   }
   void send(const RobotInput& input);
   void takeCommands(const RobotInput& input, RobotOutput& output);
-  void walk(const OdometryData& odometry, const RobotInput& input, RobotOutput& output);
+  // Take what has come, if anything has, and hand it to the body if that can do it.
+  template <typename T>
+  void take(T& command, const RobotInput& input);
+  void take(JointData& joints, const RobotInput& input);
+  void take(OdometryData& odometry, const RobotInput& input);
+  void take(std::optional<TeamMessage>& message, const RobotInput& input);
+  void take(std::optional<CameraSettings>& settings, const RobotInput& input);
 
   std::string name_;
   Network network_;
@@ -59,10 +61,7 @@ class RemoteRobot : public MatchRobot {
   InputSlots<SentPackage> inputs_;
   CommandSlots<ReceivedPackage> commands_;
   std::optional<CameraSettings> camera_;  ///< As the robot sent them last.
-  ReceivedPackage<RobotPose> pose_;
-  ReceivedPackage<BallModel> ball_;
-  ReceivedPackage<RobotState> state_;
-  ReceivedPackage<MotionInfo> motion_;
+  BeliefSlots<ReceivedPackage> believed_;
   Pose2D walked_;  ///< By the robot's odometry, in its last message.
   Time walkedAt_ = never();
   Time now_, commandedAt_ = never();

@@ -30,13 +30,10 @@ void SimulatedRobot::saveTo(const std::string& base) {
 void SimulatedRobot::bind() {
   if (layoutChanges_ == robot_->layoutChanges()) return;
   layoutChanges_ = robot_->layoutChanges();
-  const auto look = [this]<typename T>(const T*& command) { command = robot_->provided<T>(); };
+  const auto look = [this]<typename T>(const T*& place) { place = robot_->provided<T>(); };
   std::apply([&](auto&... places) { (look(places), ...); }, commands_.places);
-  pose_ = robot_->provided<RobotPose>();
-  ball_ = robot_->provided<BallModel>();
-  state_ = robot_->provided<RobotState>();
-  decision_ = robot_->provided<BehaviorTeamMessage>();
-  commands_.motion = robot_->provided<MotionInfo>();
+  belief_.forEach(look);
+  look(decision_);
   const auto image = robot_->value(representation<Image>().name);
   image_ = image ? static_cast<const Image*>(image->data()) : nullptr;
 }
@@ -102,7 +99,7 @@ void SimulatedRobot::cycle(const RobotInput& input, RobotOutput& output) {
   if (withImage && slowness_ > 0)
     busyUntil_ = static_cast<double>(input.now.ms) + slowness_ * watch.totalMs;
   bind();
-  commands_.give(output, withImage);
+  commands_.give(output, belief_, withImage);
   handleMessages();
 }
 

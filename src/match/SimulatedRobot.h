@@ -69,10 +69,6 @@ class SimulatedRobot : public MatchRobot {
   const std::string& name() const { return name_; }
   const Robot& robot() const { return *robot_; }
   Robot& robot() { return *robot_; }
-  const RobotPose* pose() const override { return pose_; }
-  const BallModel* ball() const override { return ball_; }
-  const RobotState* state() const override { return state_; }
-  const MotionInfo* motion() const override { return commands_.motion; }
   const BehaviorTeamMessage* decision() const override { return decision_; }
   /// The time that writing the log has taken.
   const Stopwatch& logTime() const { return logTime_; }
@@ -91,9 +87,6 @@ class SimulatedRobot : public MatchRobot {
   // What the robot provides, until its layout changes.
   int layoutChanges_ = -1;
   BodyCommands commands_;
-  const RobotPose* pose_ = nullptr;
-  const BallModel* ball_ = nullptr;
-  const RobotState* state_ = nullptr;
   const BehaviorTeamMessage* decision_ = nullptr;
   const Image* image_ = nullptr;  ///< Of the first process that reads images.
   std::vector<Observer> observers_;

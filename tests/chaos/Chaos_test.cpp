@@ -400,7 +400,7 @@ TEST_F(ChaosTest, ProgramsAreOfAnotherVersion) {
       tool->update(messages);
       messages.clear();
     }
-    EXPECT_EQ(robot().motion()->executed.type, MotionType::walk) << "read field by field";
+    EXPECT_EQ(robot().belief().motion->executed.type, MotionType::walk) << "read field by field";
   });
 }
 

@@ -163,7 +163,7 @@ TEST_F(RobotProgramsTest, ARobotOfThreeProgramsPlaysInTheTeam) {
   // In the ready state the robot walks to its place, knowing where it is.
   ASSERT_TRUE(playUntil([&] { return match->simulation().world().robot(2).walked > 100; }));
   const Vector2d truth = match->simulation().world().robot(2).pose.translation;
-  EXPECT_LT((robot().pose()->pose.translation - truth).norm(), 500);
+  EXPECT_LT((robot().belief().pose->pose.translation - truth).norm(), 500);
   ASSERT_TRUE(playUntil([&] {
     return match->simulation().input(3).team.byPlayer[2].timeReceived != never();
   })) << "its team mates hear of it";
@@ -177,7 +177,8 @@ TEST_F(RobotProgramsTest, ARobotOfThreeProgramsPlaysInTheTeam) {
 
 TEST_F(RobotProgramsTest, MotionHoldsASafeStandWithoutCognition) {
   ASSERT_TRUE(playUntil([&] { return joined(); }));
-  ASSERT_TRUE(playUntil([&] { return robot().motion()->executed.type == MotionType::walk; }));
+  ASSERT_TRUE(
+      playUntil([&] { return robot().belief().motion->executed.type == MotionType::walk; }));
   processes[0]->kill();
   const auto walked = [&] { return match->simulation().world().robot(2).walked; };
   // Requests grow old, and a step that was begun comes to its end.
@@ -185,7 +186,7 @@ TEST_F(RobotProgramsTest, MotionHoldsASafeStandWithoutCognition) {
   ASSERT_TRUE(playUntil(
       [&] {
         const double before = std::exchange(stood, walked());
-        return robot().motion()->executed.type == MotionType::stand && stood - before < 1;
+        return robot().belief().motion->executed.type == MotionType::stand && stood - before < 1;
       },
       400));
   const RemoteStatistics before = robot().statistics();

@@ -4,10 +4,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "representations/modeling/BallModel.h"
-#include "representations/modeling/RobotPose.h"
-#include "representations/modeling/RobotState.h"
-#include "representations/motion/MotionInfo.h"
 #include "representations/motion/MotionNet.h"
 #include "robot/Robot.h"
 #include "robot/SetupFiles.h"
@@ -48,15 +44,17 @@ void write(const Robot& robot, Time now, MessageQueue& messages) {
   if (const T* value = robot.provided<T>()) messages.write(now, *value);
 }
 
+/// Visits the types of what a robot answers: its commands and what it believes.
+template <typename Visit>
+void forEachAnswer(const Visit& visit) {
+  const auto all = [&](const auto&... types) { (visit(types), ...); };
+  std::apply(all, CommandSlots<std::type_identity>{});
+  std::apply(all, BeliefSlots<std::type_identity>{});
+}
+
 void writeAnswer(const Robot& robot, Time now, MessageQueue& messages) {
   messages.clear();
-  [&]<typename... T>(std::tuple<std::type_identity<T>...>) {
-    (write<T>(robot, now, messages), ...);
-  }(CommandSlots<std::type_identity>{});
-  write<RobotPose>(robot, now, messages);
-  write<BallModel>(robot, now, messages);
-  write<RobotState>(robot, now, messages);
-  write<MotionInfo>(robot, now, messages);
+  forEachAnswer([&]<typename T>(std::type_identity<T>) { write<T>(robot, now, messages); });
 }
 
 template <typename T>
@@ -100,12 +98,10 @@ std::vector<std::string> kickNames(const MotionNet& net) {
 const Vocabulary& lockstepVocabulary() {
   static const Vocabulary vocabulary = [] {
     std::vector<const RepresentationType*> types = platformRepresentations();
-    types.insert(types.end(), commandRepresentations().begin(), commandRepresentations().end());
-    for (const RepresentationType* type :
-         {&representation<RobotPose>(), &representation<BallModel>(), &representation<RobotState>(),
-          &representation<MotionInfo>(), &representation<LockstepGreeting>(),
-          &representation<LockstepFailure>()})
-      types.push_back(type);
+    forEachAnswer(
+        [&]<typename T>(std::type_identity<T>) { types.push_back(&representation<T>()); });
+    types.push_back(&representation<LockstepGreeting>());
+    types.push_back(&representation<LockstepFailure>());
     return Vocabulary{types};
   }();
   return vocabulary;

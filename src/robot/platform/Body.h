@@ -14,6 +14,10 @@
 #include "representations/infrastructure/JointGains.h"
 #include "representations/infrastructure/OracledWorldState.h"
 #include "representations/infrastructure/SensorData.h"
+#include "representations/modeling/BallModel.h"
+#include "representations/modeling/RobotPose.h"
+#include "representations/modeling/RobotState.h"
+#include "representations/motion/MotionInfo.h"
 #include "representations/motion/OdometryData.h"
 
 namespace gt {
@@ -62,6 +66,29 @@ struct RobotOutput {
                       &RobotOutput::gains,  &RobotOutput::speaker,  &RobotOutput::message,
                       &RobotOutput::camera};
   }
+  /// Visits each command, visit(command); those that are not given in each cycle are optional.
+  template <typename Visit>
+  void forEach(Visit&& visit) {
+    std::apply([&](auto... commands) { (visit(this->*commands), ...); }, commands());
+  }
+};
+
+/// What a robot believes and does, as it is at the end of its last cycle, for who watches it; null
+/// what it does not provide.
+struct Belief {
+  const RobotPose* pose = nullptr;
+  const BallModel* ball = nullptr;
+  const RobotState* state = nullptr;
+  const MotionInfo* motion = nullptr;
+
+  static constexpr auto parts() {
+    return std::tuple{&Belief::pose, &Belief::ball, &Belief::state, &Belief::motion};
+  }
+  /// Visits each part, visit(part), with the type of its value.
+  template <typename Visit>
+  void forEach(Visit&& visit) {
+    std::apply([&](auto... parts) { (visit(this->*parts), ...); }, parts());
+  }
 };
 
 namespace detail {
@@ -103,6 +130,9 @@ using InputSlots = decltype(detail::slotsFor<Slot>(
     std::tuple_cat(RobotInput::eachTick(), RobotInput::eachImage())));
 template <template <typename> class Slot>
 using CommandSlots = decltype(detail::slotsFor<Slot>(RobotOutput::commands()));
+/// The same for what is believed.
+template <template <typename> class Slot>
+using BeliefSlots = decltype(detail::slotsFor<Slot>(Belief::parts()));
 
 /// A package with the sender or the receiver by which a body exchanges it with the robot's
 /// processes.
