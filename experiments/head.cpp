@@ -32,17 +32,16 @@ class LookingRobot {
     if (!layout) return layout.error();
     auto simulation = Simulation::make(*scene, job.seed);
     if (!simulation) return simulation.error();
-    auto robot = Robot::make({*configuration, *layout, striker.player(), job.seed,
-                              platformRepresentations(), striker.address});
-    if (!robot) return robot.error();
-    if (auto done = (*robot)->request(SolutionRequest{"HeadControl", job.parameter("solution")});
+    std::unique_ptr<LookingRobot> made{new LookingRobot{*std::move(simulation), job.seed}};
+    const auto program = SimulatedRobot::enter(*made->simulation_, 0,
+                                               {*configuration, *layout, striker.player(), job.seed,
+                                                platformRepresentations(), striker.address});
+    if (!program) return program.error();
+    made->program_ = *program;
+    if (auto done = made->program_->robot().request(
+            SolutionRequest{"HeadControl", job.parameter("solution")});
         !done)
       return done.error();
-    std::unique_ptr<LookingRobot> made{new LookingRobot{*std::move(simulation), job.seed}};
-    auto program = std::make_unique<SimulatedRobot>(striker.name, *std::move(robot));
-    made->program_ = program.get();
-    made->simulation_->setCamera(0, (*configuration)->camera.of(striker.address));
-    made->simulation_->attach(0, std::move(program));
     return made;
   }
 

@@ -17,7 +17,7 @@ Result<std::unique_ptr<Match>> matchOnScene(const Job& job, const DataRoot& root
   auto options = matchOptions(job, root);
   if (!options) return options.error();
   options->scene = root.path(scene);
-  options->minutes = minutes;
+  if (minutes) options->minutes = *minutes;
   return Match::make(*options);
 }
 

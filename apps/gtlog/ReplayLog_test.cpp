@@ -28,19 +28,24 @@ using testing::HasSubstr;
 class ReplayLog : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    play("play", {});
-    play("images", {.inputs = true});
-    play("team", {.red = "kalman-study"});
+    play("play");
+    play("images", "", {}, true);
+    play("team", "kalman-study");
     std::filesystem::create_directories(path("oracled/config"));
     ASSERT_TRUE(writeFile(path("oracled/config/modules.cfg"), "SelfLocator Oracled\n"));
-    play("truth", {.red = path("oracled"), .truth = {"red"}});
+    play("truth", path("oracled"), {"red"});
   }
   static void TearDownTestSuite() { std::filesystem::remove_all(folder()); }
 
   static std::string path(const std::string& name) { return (folder() / name).string(); }
 
  private:
-  static void play(const std::string& name, MatchOptions options) {
+  static void play(const std::string& name, const std::string& red = "",
+                   const std::vector<std::string>& truth = {}, bool inputs = false) {
+    MatchOptions options;
+    options.red = red;
+    options.truth = truth;
+    options.inputs = inputs;
     options.logs = path(name);
     std::filesystem::create_directories(options.logs);
     options.seed = 3;

@@ -51,7 +51,7 @@ MatchOptions optionsOf(const std::string& root, const std::string& scene, std::s
   constexpr std::size_t mostThreads = 256;
   if (threads < 1 || threads > mostThreads)
     throw Failure{Error{.field = "threads", .what = "must be from 1 to 256"}};
-  MatchOptions options{.root = findRoot(root)};
+  MatchOptions options{findRoot(root)};
   options.scene = sceneFile(options.root, scene);
   options.threads = threads;
   if (logs.empty()) return options;
@@ -94,7 +94,7 @@ void initialize(PlayedMatch* self, const std::string& scene, std::uint64_t seed,
                 const std::vector<std::string>& truth, const std::string& root) {
   MatchOptions options = optionsOf(root, scene, threads, logs);
   options.seed = seed;
-  options.minutes = minutes;
+  if (minutes) options.minutes = *minutes;
   options.profile = profile;
   options.red = red;
   options.blue = blue;

@@ -58,16 +58,15 @@ Result<void> Players::addRobot(std::size_t robot, std::uint64_t seed) {
   const std::vector<const char*> disabled = disabledTasks(robot < agents_.size());
   const bool sees =
       std::ranges::find(disabled, std::string_view{"ImageProcessor"}) == disabled.end();
-  auto made =
-      Robot::make({configuration_, *layout_, player.player(), seed,
-                   sees ? platformRepresentations() : representationsWithTruth(), player.address});
-  if (!made) return made.error();
-  auto program = std::make_unique<SimulatedRobot>(player.name, std::move(*made));
+  const auto program = SimulatedRobot::enter(
+      simulation(), robot,
+      {configuration_, *layout_, player.player(), seed,
+       sees ? platformRepresentations() : representationsWithTruth(), player.address});
+  if (!program) return program.error();
   for (const char* task : disabled)
-    if (auto done = program->robot().request(SolutionRequest{task, "disabled"}); !done) return done;
-  simulation().setCamera(robot, configuration_->camera.of(player.address));
-  programs_.push_back(program.get());
-  simulation().attach(robot, std::move(program));
+    if (auto done = (*program)->robot().request(SolutionRequest{task, "disabled"}); !done)
+      return done;
+  programs_.push_back(*program);
   simulation().takeImages(robot, sees);
   return {};
 }

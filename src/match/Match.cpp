@@ -30,7 +30,7 @@ Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
   auto scene = loadScene(options.scene);
   if (!scene) return scene.error();
   if (auto found = findSceneFiles(*scene); !found) return found.error();
-  if (options.minutes) scene->game.minutes = *options.minutes;
+  if (options.minutes > 0) scene->game.minutes = options.minutes;
   if (!options.profile.empty()) {
     const auto profile = enumValue<Profile>(options.profile);
     if (!profile) return Error{.field = "profile", .what = "unknown: \"" + options.profile + "\""};
@@ -43,19 +43,22 @@ Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
     scene->fidelity = *fidelity;
   }
   std::unique_ptr<Match> match{new Match{options}};
+  match->options_.minutes = scene->game.minutes;
+  auto teams = MatchTeams::load(match->options_, options.root, *scene);
+  if (!teams) return teams.error();
+  match->teams_ = std::move(*teams);
+  const FieldDimensions& field = *match->configuration().field;
   if (scene->challenge && options.randomChallenge) scene->challenge->random = true;
-  const ConfigurationPaths paths{scene->resolve(scene->config), options.motions, options.behavior};
-  if (auto done = match->loadTeams(paths, *scene); !done) return done.error();
-  if (scene->challenge && scene->challenge->random) match->drawTargets();
-  auto simulation =
-      Simulation::make(*scene, options.seed, options.threads, *match->configuration_->field);
+  if (scene->challenge && scene->challenge->random)
+    match->teams_.setTargets({randomTargets(field, Random{options.seed}.fork("targets"))});
+  auto simulation = Simulation::make(*scene, options.seed, options.threads, field);
   if (!simulation) return simulation.error();
   match->simulation_ = std::move(*simulation);
   if (const auto done = match->setKicks(); !done) return done.error();
   if (const auto done = match->addRobots(); !done) return done.error();
   if (scene->challenge) {
     auto challenge = std::make_unique<Challenge>(
-        *scene->challenge, match->teams_.front().configuration->targets->points,
+        *scene->challenge, match->teams_.of(TeamColor::red).configuration->targets->points,
         Random{options.seed}.fork("challenge"));
     match->challenge_ = challenge.get();
     match->simulation_->add(std::move(challenge));
@@ -67,8 +70,8 @@ Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
     if (!endpoint) return endpoint.error();
     if (auto done = match->gameController_->listen(*endpoint); !done) return done.error();
   }
-  match->statistics_ = std::make_unique<MatchStatistics>(
-      *match->simulation_, match->allRobots_, match->kicks(), *match->configuration_->field);
+  match->statistics_ = std::make_unique<MatchStatistics>(*match->simulation_, match->allRobots_,
+                                                         match->kicks(), field);
   match->images_ =
       std::make_unique<ReportImages>(options.images, scene->game.minutes, match->robots_);
   if (!options.logs.empty())
@@ -76,83 +79,12 @@ Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
   return match;
 }
 
-Result<void> Match::loadTeams(const ConfigurationPaths& paths, const SceneDescription& scene) {
-  auto configuration = loadConfiguration(paths);
-  if (!configuration) return configuration.error();
-  configuration_ = std::move(*configuration);
-  for (std::string* team : {&options_.red, &options_.blue}) {
-    auto resolved = resolvedTeam(*team, options_.root);
-    if (!resolved) return resolved.error();
-    *team = *std::move(resolved);
-  }
-  const auto nameOf = [&](const std::string& given, const std::string& ofScene) {
-    return given.empty() && !ofScene.empty() ? scene.resolve(ofScene) : given;
-  };
-  for (const auto& [color, name] : {std::pair{TeamColor::red, nameOf(options_.red, scene.red)},
-                                    {TeamColor::blue, nameOf(options_.blue, scene.blue)}}) {
-    Team& team = teams_[static_cast<std::size_t>(color)];
-    team = {nullptr, paths, configuration_, std::nullopt};
-    if (namesProgram(name)) {
-      if (scene.challenge)
-        return Error{.field = name, .what = "plays soccer only: a challenge is for this program"};
-      if (auto done = loadProgram(name, paths, team); !done) return done;
-      continue;
-    }
-    const std::string folder = teamFolder(name, options_.root);
-    if (folder.empty()) continue;
-    if (auto done = team.open(folder); !done) return done;
-    auto own = loadConfiguration(team.paths);
-    if (!own) return team.folder->named(own.error());
-    team.configuration = std::move(*own);
-  }
-  return {};
-}
-
-void Match::drawTargets() {
-  for (Team& team : teams_) {
-    auto configuration = std::make_shared<Configuration>(*team.configuration);
-    configuration->targets = std::make_shared<TargetPoints>(
-        TargetPoints{randomTargets(*configuration->field, Random{options_.seed}.fork("targets"))});
-    team.configuration = std::move(configuration);
-  }
-}
-
-Result<void> Match::Team::open(const std::string& name) {
-  auto opened = TeamFolder::open(name, paths);
-  if (!opened) return opened.error();
-  folder = std::move(*opened);
-  paths = folder->paths();
-  return {};
-}
-
-/// The robots read from the program's own tree what lies in this one's by the same name.
-Result<void> Match::loadProgram(const std::string& name, const ConfigurationPaths& paths,
-                                Team& team) {
-  auto program = teamProgram(name, options_.root);
-  if (!program) return program.error();
-  const DataRoot& root = program->root;
-  const auto there = [&](const std::string& path, const std::string& ours) {
-    const auto relative = fs::absolute(path).lexically_normal().lexically_relative(
-        fs::absolute(options_.root.path(".")).lexically_normal());
-    const bool within = !relative.empty() && *relative.begin() != "..";
-    return root.path(within ? relative.string() : ours);
-  };
-  team.configuration = nullptr;
-  team.paths = paths;
-  team.paths.config = there(paths.config, "config");
-  team.paths.motions = there(paths.motions, "motions");
-  team.paths.behavior = there(paths.behavior, "behavior/GT2003.xabsl");
-  team.program = std::move(*program);
-  const std::string folder = teamFolder(team.program->team, root);
-  return folder.empty() ? Result<void>{} : team.open(folder);
-}
-
 Result<void> Match::setKicks() {
   const unsigned threads = std::max(1u, std::thread::hardware_concurrency());
   std::map<std::string, std::shared_ptr<const KickTable>> tables;  // by the motions' folder
   const std::vector<SceneRobot>& robots = simulation_->scene().robots;
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    const Team& team = teamOf(robots[i]);
+    const MatchTeam& team = teamOf(robots[i]);
     auto& table = tables[team.paths.motions];
     if (!table) {
       const Result<MotionNet> net =
@@ -160,7 +92,7 @@ Result<void> Match::setKicks() {
       if (!net && team.program) continue;  // It reads them itself, and tells.
       if (!net) return net.error();
       auto kicks = kicksOfMotions(*net, team.paths, options_.root, threads);
-      if (!kicks) return team.folder ? team.folder->named(kicks.error()) : kicks.error();
+      if (!kicks) return team.named(kicks.error());
       table = std::make_shared<KickTable>(*std::move(kicks));
     }
     simulation_->setKicks(i, table);
@@ -175,8 +107,8 @@ std::vector<std::vector<std::string>> Match::kicks() const {
       all.push_back(kickNames(*own->motions));
     else
       all.emplace_back();
-  for (std::size_t i = 0; i < lockstepRobots_.size(); ++i)
-    all[lockstepIndices_[i]] = lockstepRobots_[i]->greeting().kicks;
+  forEachRobot<LockstepRobot>(
+      [&](std::size_t index, const LockstepRobot& robot) { all[index] = robot.greeting().kicks; });
   return all;
 }
 
@@ -232,19 +164,22 @@ std::uint64_t Match::seedOf(const SceneRobot& robot) const {
 Result<void> Match::addRobot(std::size_t index, const Layout& layout) {
   const SceneRobot& player = simulation_->scene().robots[index];
   const std::uint64_t seed = seedOf(player);
-  const Team& team = teamOf(player);
-  auto robot = Robot::make(
+  const MatchTeam& team = teamOf(player);
+  auto robot = SimulatedRobot::enter(
+      *simulation_, index,
       {team.configuration, layout, player.player(), seed,
        getsTruth(player) ? representationsWithTruth() : platformRepresentations(), player.address});
-  if (!robot) return team.folder ? team.folder->named(robot.error()) : robot.error();
-  auto controller = std::make_unique<SimulatedRobot>(player.name, std::move(*robot));
-  controller->robot().provideSetup([setup = setupOf(player)] { return recordSetup(setup); });
-  simulation_->setCamera(index, team.configuration->camera.of(player.address));
-  robots_.push_back(controller.get());
-  indices_.push_back(index);
-  allRobots_.push_back(controller.get());
-  simulation_->attach(index, std::move(controller));
+  if (!robot) return team.named(robot.error());
+  (*robot)->robot().provideSetup([setup = setupOf(player)] { return recordSetup(setup); });
+  robots_.push_back(*robot);
+  allRobots_.push_back(*robot);
   return {};
+}
+
+/// As the next one of the scene.
+void Match::attach(std::unique_ptr<MatchRobot> robot) {
+  allRobots_.push_back(robot.get());
+  simulation_->attach(allRobots_.size() - 1, std::move(robot));
 }
 
 SetupFiles Match::setupOf(const SceneRobot& robot) const {
@@ -256,7 +191,7 @@ Result<void> Match::beginLogs() {
   const fs::path folder{options_.logs};
   const SceneDescription& scene = simulation_->scene();
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    const SceneRobot& player = scene.robots[indices_[i]];
+    const SceneRobot& player = scene.robots[robotIndex(i)];
     const std::string base = (folder / player.name).string();
     const McapWriter::Metadata about{{"scene", fs::path{options_.scene}.filename().string()},
                                      {"seed", std::to_string(options_.seed)},
@@ -285,15 +220,13 @@ Result<void> Match::addRemoteRobot(std::size_t index, const Layout& layout) {
     addresses.elsewhere[platformProcess] = endpoint;
   auto controller = RemoteRobot::make(addresses, *plan, options_.keys);
   if (!controller) return controller.error();
-  remoteRobots_.push_back(controller->get());
-  allRobots_.push_back(controller->get());
-  simulation_->attach(index, std::move(*controller));
+  attach(std::move(*controller));
   return {};
 }
 
 Result<void> Match::addLockstepRobot(std::size_t index) {
   const SceneRobot& player = simulation_->scene().robots[index];
-  const Team& team = teamOf(player);
+  const MatchTeam& team = teamOf(player);
   const std::uint64_t seed = seedOf(player);
   std::vector<std::string> command{
       team.program->file,
@@ -319,29 +252,34 @@ Result<void> Match::addLockstepRobot(std::size_t index) {
   if (!player.address.empty()) command.insert(command.end(), {"--address", player.address});
   auto controller = LockstepRobot::start(player.name, command, options_.patience);
   if (!controller) return controller.error();
-  lockstepRobots_.push_back(controller->get());
-  lockstepIndices_.push_back(index);
-  allRobots_.push_back(controller->get());
-  simulation_->attach(index, std::move(*controller));
+  attach(std::move(*controller));
   return {};
 }
 
 /// After all have been started, since they read their files at the same time.
 Result<void> Match::greetLockstepRobots() {
-  for (std::size_t i = 0; i < lockstepRobots_.size(); ++i) {
-    const std::size_t index = lockstepIndices_[i];
-    const Team& team = teamOf(simulation_->scene().robots[index]);
-    if (auto done = lockstepRobots_[i]->greet(); !done)
-      return team.folder ? team.folder->named(done.error()) : done.error();
-    simulation_->setCamera(index, lockstepRobots_[i]->camera());
-  }
-  return {};
+  Result<void> all;
+  forEachRobot<LockstepRobot>([&](std::size_t index, LockstepRobot& robot) {
+    if (!all) return;
+    if (auto done = robot.greet(); !done)
+      all = teamOf(simulation_->scene().robots[index]).named(done.error());
+    else
+      simulation_->setCamera(index, robot.camera());
+  });
+  return all;
 }
 
 Result<void> Match::teamFailure() const {
-  for (const LockstepRobot* robot : lockstepRobots_)
-    if (robot->failure()) return *robot->failure();
-  return {};
+  Result<void> first;
+  forEachRobot<LockstepRobot>([&](std::size_t, const LockstepRobot& robot) {
+    if (first && robot.failure()) first = *robot.failure();
+  });
+  return first;
+}
+
+std::size_t Match::robotIndex(std::size_t robot) const {
+  return static_cast<std::size_t>(std::ranges::find(allRobots_, robots_[robot]) -
+                                  allRobots_.begin());
 }
 
 void Match::step() {
@@ -385,20 +323,11 @@ std::uint64_t Match::fingerprint() const {
 Result<void> Match::save(const std::string& path) const {
   if (!irreproducible_.empty())
     return Error{.file = path, .what = "this match cannot be repeated: " + irreproducible_};
-  const MatchState state{.scene = options_.scene,
-                         .layout = options_.layout,
-                         .profile = options_.profile,
-                         .fidelity = options_.fidelity,
-                         .behavior = options_.behavior,
-                         .motions = options_.motions,
-                         .red = options_.red,
-                         .blue = options_.blue,
-                         .truth = options_.truth,
-                         .minutes = simulation_->scene().game.minutes,
-                         .seed = options_.seed,
-                         .time = time(),
-                         .history = history_,
-                         .fingerprint = fingerprint()};
+  MatchState state;
+  static_cast<MatchSetup&>(state) = options_;
+  state.time = time();
+  state.history = history_;
+  state.fingerprint = fingerprint();
   return writeFile(path, jsonText(state, 1) + "\n");
 }
 
@@ -406,17 +335,7 @@ Result<std::unique_ptr<Match>> Match::load(const std::string& path, MatchOptions
                                            const Perform& perform) {
   const auto state = readMatchState(path);
   if (!state) return state.error();
-  options.scene = state->scene;
-  options.layout = state->layout;
-  options.profile = state->profile;
-  options.fidelity = state->fidelity;
-  options.behavior = state->behavior;
-  options.motions = state->motions;
-  options.red = state->red;
-  options.blue = state->blue;
-  options.truth = state->truth;
-  options.minutes = state->minutes;
-  options.seed = state->seed;
+  static_cast<MatchSetup&>(options) = *state;
   options.remote.clear();
   auto match = make(options);
   if (!match) return match.error();

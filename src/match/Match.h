@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <chrono>
 #include <functional>
 #include <map>
@@ -15,41 +14,28 @@
 #include "match/MatchState.h"
 #include "match/MatchStatistics.h"
 #include "match/MatchSummary.h"
+#include "match/MatchTeams.h"
 #include "match/RemoteRobot.h"
 #include "match/ReportImages.h"
 #include "match/SimulatedRobot.h"
-#include "match/teams/TeamFolder.h"
-#include "match/teams/TeamProgram.h"
 #include "simulation/Challenge.h"
 #include "simulation/Simulation.h"
 
 namespace gt {
 
-/// How a match is to be played.
-struct MatchOptions {
-  DataRoot root{};  ///< Where the files below lie by default.
-  std::string scene = root.path("scenes/match.scene");
-  std::optional<double> minutes{};  ///< Both halves together, instead of the scene's value.
-  std::uint64_t seed = 1;
+/// Which match is played, and how it is run.
+struct MatchOptions : MatchSetup {
+  MatchOptions() : MatchOptions{DataRoot{}} {}
+  explicit MatchOptions(DataRoot from) : MatchSetup{in(from)}, root{std::move(from)} {}
+
+  DataRoot root;            ///< Where the files of the setup lie by default.
   std::size_t threads = 1;  ///< Do not change what happens.
   std::string
       logs{};  ///< Folder for the robots' logs, which must exist; none are written if empty.
   bool inputs = false;  ///< Whether the logs hold all images without loss, for other vision.
   int images = 0;       ///< How many camera images to keep for the report page.
-  std::string behavior = root.path("behavior/GT2003.xabsl");
-  std::string motions = root.path("motions");
-  /// Teams with files of their own (TeamFolder.h), as `teamFolder` takes them, or with programs of
-  /// their own (TeamProgram.h).
-  std::string red{}, blue{};
   /// How long a team's program may take for an answer; one that takes longer ends the match.
   std::chrono::milliseconds patience = std::chrono::seconds{60};
-  /// Robots that are given the truth (OracledWorldState), or teams: red1, blue. A team's own files
-  /// cannot ask for it: a solution in its modules.cfg that reads the truth is an error otherwise.
-  std::vector<std::string> truth{};
-  std::string layout{};          ///< Of all robots, instead of the scene's, if not empty.
-  bool randomChallenge = false;  ///< A challenge's start is random, whatever the scene says.
-  std::string profile{};  ///< Instead of the scene's and of what it says in elements, if not empty.
-  std::string fidelity{};  ///< Instead of the scene's, if not empty.
   /// Robots whose processes are programs of their own and connect to the simulation: for each name
   /// where it listens for them, such as tcp://10.0.1.5:5003; on this machine, if that is empty.
   std::map<std::string, std::string> remote{};
@@ -133,12 +119,18 @@ class Match {
   /// The robots whose processes run in this program.
   const std::vector<SimulatedRobot*>& robots() const { return robots_; }
   /// The index in the simulation of each of them.
-  std::size_t robotIndex(std::size_t robot) const { return indices_[robot]; }
+  std::size_t robotIndex(std::size_t robot) const;
   /// The project's own, which also holds for the field.
-  const Configuration& configuration() const { return *configuration_; }
-  const std::shared_ptr<const Configuration>& sharedConfiguration() const { return configuration_; }
-  /// Those whose processes run elsewhere.
-  const std::vector<RemoteRobot*>& remoteRobots() const { return remoteRobots_; }
+  const Configuration& configuration() const { return *teams_.configuration(); }
+  const std::shared_ptr<const Configuration>& sharedConfiguration() const {
+    return teams_.configuration();
+  }
+  /// Calls visit(index in the simulation, robot) for each robot of a kind.
+  template <typename Kind, typename Visit>
+  void forEachRobot(const Visit& visit) const {
+    for (std::size_t i = 0; i < allRobots_.size(); ++i)
+      if (auto* robot = dynamic_cast<Kind*>(allRobots_[i])) visit(i, *robot);
+  }
   const MatchStatistics& statistics() const { return *statistics_; }
   MatchSummary summary() const;
   /// The time that each task took so far, over all robots, and the parts of the simulator.
@@ -148,23 +140,7 @@ class Match {
 
  private:
   explicit Match(const MatchOptions& options) : options_{options} {}
-  /// What the robots of a color play with.
-  struct Team {
-    std::unique_ptr<TeamFolder> folder;  ///< Null if it has nothing of its own.
-    ConfigurationPaths paths;
-    std::shared_ptr<const Configuration> configuration;  ///< Null if it has a program.
-    std::optional<TeamProgram> program;
-    /// Lays a team's folder over the paths.
-    Result<void> open(const std::string& name);
-  };
-
-  Result<void> loadTeams(const ConfigurationPaths& paths, const SceneDescription& scene);
-  /// The places to be visited, for the robots and for who scores.
-  void drawTargets();
-  const Team& teamOf(const SceneRobot& robot) const {
-    return teams_[static_cast<std::size_t>(robot.team)];
-  }
-  Result<void> loadProgram(const std::string& name, const ConfigurationPaths& paths, Team& team);
+  const MatchTeam& teamOf(const SceneRobot& robot) const { return teams_.of(robot.team); }
   /// Has the world play balls as the motions of each team do.
   Result<void> setKicks();
   std::vector<std::vector<std::string>> kicks() const;  ///< Of each robot.
@@ -172,6 +148,7 @@ class Match {
   Result<void> addRobot(std::size_t index, const Layout& layout);
   std::uint64_t seedOf(const SceneRobot& robot) const;
   SetupFiles setupOf(const SceneRobot& robot) const;
+  void attach(std::unique_ptr<MatchRobot> robot);
   Result<void> beginLogs();
   Result<void> addRemoteRobot(std::size_t index, const Layout& layout);
   Result<void> addLockstepRobot(std::size_t index);
@@ -189,17 +166,12 @@ class Match {
   std::vector<Intervention> history_;
   std::vector<RobotFailure> failures_;
   std::string irreproducible_;  ///< Why the match cannot be repeated; empty if it can.
-  std::shared_ptr<const Configuration> configuration_;
-  std::array<Team, 2> teams_;  ///< By color.
+  MatchTeams teams_;
   std::unique_ptr<Simulation> simulation_;
   const Challenge* challenge_ = nullptr;  ///< Owned by the simulation.
   // All robots are owned by the simulation, and here in the order of its active ones.
   std::vector<MatchRobot*> allRobots_;
-  std::vector<SimulatedRobot*> robots_;
-  std::vector<std::size_t> indices_;  ///< In the simulation, of each of robots_.
-  std::vector<RemoteRobot*> remoteRobots_;
-  std::vector<LockstepRobot*> lockstepRobots_;
-  std::vector<std::size_t> lockstepIndices_;  ///< In the simulation, of each of them.
+  std::vector<SimulatedRobot*> robots_;  ///< Of them, those of this program.
   std::unique_ptr<GameControllerFollower> gameController_;
   std::unique_ptr<MatchStatistics> statistics_;
   std::unique_ptr<ReportImages> images_;

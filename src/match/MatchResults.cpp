@@ -42,21 +42,18 @@ void Match::noteFailures() {
   for (std::size_t i = 0; i < robots.size(); ++i)
     if (const std::string& what = simulation_->failure(i); !what.empty())
       note(i, {.field = robots[i].name, .what = what});
-  for (std::size_t i = 0; i < lockstepRobots_.size(); ++i)
-    if (const auto& error = lockstepRobots_[i]->failure()) note(lockstepIndices_[i], *error);
+  forEachRobot<LockstepRobot>([&](std::size_t index, const LockstepRobot& robot) {
+    if (robot.failure()) note(index, *robot.failure());
+  });
 }
 
 /// As events, each at its time; those of robots outside at the end.
 void Match::addFailures(MatchSummary& summary) const {
   std::vector<RobotFailure> failures = failures_;
-  const std::vector<SceneRobot>& robots = simulation_->scene().robots;
-  for (const RemoteRobot* robot : remoteRobots_)
-    if (const std::string what = shortfall(*robot); !what.empty()) {
-      const auto index = std::ranges::find(robots, robot->name(), &SceneRobot::name);
-      failures.push_back({time(),
-                          static_cast<std::size_t>(index - robots.begin()),
-                          {.field = robot->name(), .what = what}});
-    }
+  forEachRobot<RemoteRobot>([&](std::size_t index, const RemoteRobot& robot) {
+    if (const std::string what = shortfall(robot); !what.empty())
+      failures.push_back({time(), index, {.field = robot.name(), .what = what}});
+  });
   for (const RobotFailure& failure : failures) {
     const auto place =
         std::ranges::upper_bound(summary.events, failure.time, {}, &MatchEvent::time);

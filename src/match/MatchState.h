@@ -8,6 +8,7 @@
 
 #include "base/Result.h"
 #include "base/Time.h"
+#include "match/MatchSetup.h"
 #include "streams/Reflection.h"
 
 namespace gt {
@@ -39,32 +40,19 @@ struct Intervention {
 /// fingerprints. Writing down the memory of the robots' programs instead would need code in every
 /// module, and each field that a module's author forgets would be a silent error; this is right for
 /// every module. The price is time: a minute of a match takes some seconds to load.
-struct MatchState {
-  std::string scene, layout, profile, fidelity, behavior, motions, red, blue;
-  std::vector<std::string> truth;
-  double minutes = 0;
-  std::uint64_t seed = 0;
+struct MatchState : MatchSetup {
   Time time;
   std::vector<Intervention> history;
   std::uint64_t fingerprint = 0;
 
+  MatchState() = default;
+
   static constexpr auto fields() {
-    return Fields{
-        field("scene", &MatchState::scene, "", "file"),
-        field("layout", &MatchState::layout, "", "of all robots, if not empty"),
-        field("profile", &MatchState::profile, "", "of the scene, if not empty"),
-        field("fidelity", &MatchState::fidelity, "", "of the scene, if not empty"),
-        field("behavior", &MatchState::behavior, "", "agents file"),
-        field("motions", &MatchState::motions, "", "folder"),
-        field("red", &MatchState::red, "", "team, if it has files of its own"),
-        field("blue", &MatchState::blue, "", "team, if it has files of its own"),
-        field("truth", &MatchState::truth, "", "robots and teams that are given the truth"),
-        field("minutes", &MatchState::minutes, "min", "both halves together", {0.01, 1e4}),
-        field("seed", &MatchState::seed),
-        field("time", &MatchState::time, "ms", "how far it has come"),
-        field("history", &MatchState::history, "", "in the order of time"),
-        field("fingerprint", &MatchState::fingerprint, "",
-              "of world and robots; 0: unknown, so it is not compared")};
+    return MatchSetup::fields() +
+           Fields{field("time", &MatchState::time, "ms", "how far it has come"),
+                  field("history", &MatchState::history, "", "in the order of time"),
+                  field("fingerprint", &MatchState::fingerprint, "",
+                        "of world and robots; 0: unknown, so it is not compared")};
   }
 };
 

@@ -19,6 +19,18 @@ SimulatedRobot::SimulatedRobot(std::string name, std::unique_ptr<Robot> robot)
   if (const auto* camera = commands_.place<CameraSettings>()) commands_.camera = *camera;
 }
 
+Result<SimulatedRobot*> SimulatedRobot::enter(Simulation& simulation, std::size_t index,
+                                              const RobotSetup& setup) {
+  auto robot = Robot::make(setup);
+  if (!robot) return robot.error();
+  auto entered =
+      std::make_unique<SimulatedRobot>(simulation.scene().robots[index].name, std::move(*robot));
+  SimulatedRobot* const made = entered.get();
+  simulation.setCamera(index, setup.configuration->camera.of(setup.address));
+  simulation.attach(index, std::move(entered));
+  return made;
+}
+
 void SimulatedRobot::saveTo(const std::string& base) {
   robot_->onSave([this, base](const MessageQueue& messages) {
     const auto file = saveQueue(messages, base);

@@ -27,6 +27,10 @@ namespace gt {
 class SimulatedRobot : public MatchRobot {
  public:
   SimulatedRobot(std::string name, std::unique_ptr<Robot> robot);
+  /// Makes the robot of one of a simulation's bodies, which bears the name of that, and attaches
+  /// it: the one way in for robots with programs. The simulation owns it.
+  static Result<SimulatedRobot*> enter(Simulation& simulation, std::size_t index,
+                                       const RobotSetup& setup);
 
   /// Records from now on, so that a replay does the same again: with the images' pixels if
   /// `pixels`, or else with what is seen in them.

@@ -76,6 +76,16 @@ struct Fields : detail::FieldSlots<std::index_sequence_for<F...>, F...> {
   }
 };
 
+/// The fields of a struct that adds some to those of its base.
+template <typename... A, typename... B>
+constexpr Fields<A..., B...> operator+(const Fields<A...>& base, const Fields<B...>& own) {
+  return [&]<std::size_t... i, std::size_t... j>(std::index_sequence<i...>,
+                                                 std::index_sequence<j...>) {
+    return Fields<A..., B...>{base.template at<i>()..., own.template at<j>()...};
+  }
+  (std::index_sequence_for<A...>{}, std::index_sequence_for<B...>{});
+}
+
 /// A struct that declares its fields.
 template <typename T>
 concept Reflected = requires {
