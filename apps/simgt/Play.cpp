@@ -33,6 +33,19 @@ Findings printWarnings(const Session& session) {
   return all;
 }
 
+/// Prints the invariants that did not hold, if they were checked. Returns whether one is an error.
+bool printBroken(const Match& match) {
+  bool failed = false;
+  for (const BrokenInvariant& broken : match.summary().broken) {
+    failed |= broken.severity == Severity::error;
+    fmt::print(stderr, "simgt: {:.3f} to {:.3f} s: {}{}: {}: {}\n", broken.time.ms / 1000.,
+               broken.until.ms / 1000.,
+               broken.severity == Severity::error ? "" : "warning: ", broken.invariant, broken.who,
+               broken.text);
+  }
+  return failed;
+}
+
 /// The time that the tasks do not take is the simulator's: world, sensors, cameras.
 MatchTimes timesOf(const Match& match, double seconds, std::size_t threads) {
   MatchTimes times;
@@ -137,8 +150,9 @@ Result<int> play(PlayOptions options) {
   }
   if (!played || !done) return played ? done.error() : played.error();
   const Findings warnings = printWarnings(session);
+  const bool broken = printBroken(match);
   if (interrupted || signals.received() == SIGPIPE) return signals.status();
-  return warnings.fail(options.strict) ? 1 : 0;
+  return broken || warnings.fail(options.strict) ? 1 : 0;
 }
 
 }  // namespace gt

@@ -61,6 +61,9 @@ void addPlay(CLI::App& command, gt::PlayOptions& play) {
       "--inputs", play.match.inputs,
       "Log all images without loss, so that other vision can be replayed on them (large)");
   command.add_flag("--strict", play.strict, "Fails if a robot warned of something");
+  command.add_flag("--check", play.match.check,
+                   "Checks after each tick what always holds, such as that no robot stands inside "
+                   "another one; fails if it does not");
   command.add_flag("--real-time", play.realTime, "No faster than the clock");
   command.add_option("--remote", play.remote,
                      "Robots whose processes connect from outside (gtrobot-*), in real time: NAME, "

@@ -91,7 +91,7 @@ void initialize(PlayedMatch* self, const std::string& scene, std::uint64_t seed,
                 std::optional<double> minutes, const std::string& profile, std::size_t threads,
                 const std::string& logs, bool labels, const nb::object& solutions,
                 const std::string& red, const std::string& blue,
-                const std::vector<std::string>& truth, const std::string& root) {
+                const std::vector<std::string>& truth, bool check, const std::string& root) {
   MatchOptions options = optionsOf(root, scene, threads, logs);
   options.seed = seed;
   if (minutes) options.minutes = *minutes;
@@ -99,6 +99,7 @@ void initialize(PlayedMatch* self, const std::string& scene, std::uint64_t seed,
   options.red = red;
   options.blue = blue;
   options.truth = truth;
+  options.check = check;
   if (minutes && !(*minutes >= 0.01 && *minutes <= 1e4))
     throw Failure{Error{.field = "minutes", .what = "must be from 0.01 to 10000"}};
   new (self) PlayedMatch{options};
@@ -251,20 +252,21 @@ void bindMatch(nb::module_& module) {
       .def("__init__", &initialize, "scene"_a = "match", nb::kw_only(), "seed"_a = 1,
            "minutes"_a = nb::none(), "profile"_a = "", "threads"_a = 1, "logs"_a = "",
            "labels"_a = false, "solutions"_a = nb::none(), "red"_a = "", "blue"_a = "",
-           "truth"_a = std::vector<std::string>{}, "root"_a = "",
+           "truth"_a = std::vector<std::string>{}, "check"_a = false, "root"_a = "",
            nb::sig("def __init__(self, scene: str = 'match', *, seed: int = 1, "
                    "minutes: float | None = None, profile: str = '', threads: int = 1, "
                    "logs: str = '', labels: bool = False, solutions: dict[str, dict[str, str | "
                    "collections.abc.Callable[[], typing.Any]]] | None = None, red: str = '', blue: "
-                   "str = '', truth: collections.abc.Sequence[str] = (), root: str = '') "
-                   "-> None"),
+                   "str = '', truth: collections.abc.Sequence[str] = (), check: bool = False, "
+                   "root: str = '') -> None"),
            "scene: a file, or a name of the folder scenes; minutes: both halves together, instead\n"
            "of the scene's; profile: how far all is from perfect, instead of the scene's; logs: a\n"
            "folder for the robots' logs; labels: whether `Robot.labels` are kept; solutions: for\n"
            "robots by name and tasks what `Robot.solve` takes; red, blue: teams with files of "
            "their own, a folder with any\n"
            "of config, behavior and motions, or a name of the folder teams; truth: robots and\n"
-           "teams that are given the truth, which solutions Oracled read; root: the data root,\n"
+           "teams that are given the truth, which solutions Oracled read; check: whether what\n"
+           "always holds is checked, for `summary().broken`; root: the data root,\n"
            "instead of the package's own.")
       .def_static(
           "load", &load, "file"_a, nb::kw_only(), "threads"_a = 1, "logs"_a = "",

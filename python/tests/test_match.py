@@ -152,6 +152,14 @@ def test_only_robots_that_are_given_the_truth_may_ask_for_it() -> None:
     assert match.summary().truth == ["red2"]
 
 
+def test_what_always_holds_is_checked_if_asked() -> None:
+    match = gt2003.Match(SHORT, seed=4, minutes=0.05, check=True)
+    match.robots["red2"].solve("SelfLocator", "disabled")
+    match.run()
+    assert [(b.invariant, b.who, b.severity.name) for b in match.summary().broken] == [("solved", "red2", "warning")]
+    assert gt2003.Match(SHORT, seed=4, minutes=0.05).summary().broken == []
+
+
 def test_requests_move_a_robot() -> None:
     match = gt2003.Match(seed=2)
     match.until(lambda: match.game_state == "playing", 60)

@@ -72,6 +72,9 @@ Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
   }
   match->statistics_ = std::make_unique<MatchStatistics>(*match->simulation_, match->allRobots_,
                                                          match->kicks(), field);
+  if (options.check)
+    match->invariants_ =
+        std::make_unique<Invariants>(*match->simulation_, match->allRobots_, field);
   match->images_ =
       std::make_unique<ReportImages>(options.images, scene->game.minutes, match->robots_);
   if (!options.logs.empty())
@@ -292,6 +295,7 @@ void Match::step() {
   if (const auto* seen = simulation_->ceilingPercept(); seen && ceilingLog_)
     ceilingLog_->write(ceilingTopic, time(), *seen);
   statistics_->update();
+  if (invariants_) invariants_->update();
 }
 
 Result<void> Match::control(std::span<const std::byte> message) {

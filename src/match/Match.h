@@ -10,6 +10,7 @@
 
 #include "base/DataRoot.h"
 #include "match/GameControllerFollower.h"
+#include "match/Invariants.h"
 #include "match/LockstepRobot.h"
 #include "match/MatchState.h"
 #include "match/MatchStatistics.h"
@@ -33,6 +34,7 @@ struct MatchOptions : MatchSetup {
   std::string
       logs{};  ///< Folder for the robots' logs, which must exist; none are written if empty.
   bool inputs = false;  ///< Whether the logs hold all images without loss, for other vision.
+  bool check = false;   ///< Whether what always holds is checked after each tick (Invariants.h).
   int images = 0;       ///< How many camera images to keep for the report page.
   /// How long a team's program may take for an answer; one that takes longer ends the match.
   std::chrono::milliseconds patience = std::chrono::seconds{60};
@@ -174,6 +176,7 @@ class Match {
   std::vector<SimulatedRobot*> robots_;  ///< Of them, those of this program.
   std::unique_ptr<GameControllerFollower> gameController_;
   std::unique_ptr<MatchStatistics> statistics_;
+  std::unique_ptr<Invariants> invariants_;  ///< Null if they are not checked.
   std::unique_ptr<ReportImages> images_;
   std::optional<McapWriter> ceilingLog_;  ///< Of what a camera at the ceiling saw.
 };

@@ -81,6 +81,7 @@ MatchSummary Match::summary() const {
   for (const GameEvent& event : simulation_->referee().events())
     summary.events.push_back(toMatchEvent(event));
   addFailures(summary);
+  if (invariants_) summary.broken = invariants_->broken();
   if (challenge_)
     for (const Challenge::Note& note : challenge_->notes())
       summary.events.push_back({.time = note.time, .kind = "challenge", .text = note.text});

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/Geometry.h"
+#include "base/Result.h"
 #include "base/Time.h"
 #include "representations/infrastructure/Player.h"
 #include "streams/Reflection.h"
@@ -45,6 +46,24 @@ struct MatchEvent {
         field("ownGoal", &MatchEvent::ownGoal),
         field("redScore", &MatchEvent::redScore, "", "afterwards"),
         field("blueScore", &MatchEvent::blueScore)};
+  }
+};
+
+/// A time during which something did not hold that always should (Invariants.h).
+struct BrokenInvariant {
+  Time time, until;
+  Severity severity = Severity::error;
+  std::string invariant;
+  std::string who;
+  std::string text;
+
+  static constexpr auto fields() {
+    return Fields{field("time", &BrokenInvariant::time, "ms", "when it began"),
+                  field("until", &BrokenInvariant::until, "ms"),
+                  field("severity", &BrokenInvariant::severity),
+                  field("invariant", &BrokenInvariant::invariant),
+                  field("who", &BrokenInvariant::who, "", "robot, ball, or the world"),
+                  field("text", &BrokenInvariant::text, "", "when it was worst")};
   }
 };
 
@@ -160,6 +179,7 @@ struct MatchSummary {
   int redScore = 0, blueScore = 0;
   std::vector<std::string> truth;
   std::vector<MatchEvent> events;
+  std::vector<BrokenInvariant> broken;
   std::vector<PlayFigure> play;
   std::vector<ShotSummary> shots;
   std::vector<RobotSummary> robots;
@@ -178,6 +198,8 @@ struct MatchSummary {
         field("truth", &MatchSummary::truth, "",
               "robots that were given the truth; none in a fair match"),
         field("events", &MatchSummary::events),
+        field("broken", &MatchSummary::broken, "",
+              "invariants that did not hold, if it was asked to check them"),
         field("play", &MatchSummary::play, "", "how both teams played, while the game runs"),
         field("shots", &MatchSummary::shots),
         field("robots", &MatchSummary::robots),

@@ -88,7 +88,7 @@ TEST_F(ReportTest, MatchJsonHasTheNamesThatOthersReadInTheirOrder) {
   ASSERT_TRUE(json);
   EXPECT_THAT(namesOf(*json),
               ElementsAre("scene", "seed", "duration", "interrupted", "redScore", "blueScore",
-                          "truth", "events", "play", "shots", "robots", "ball"));
+                          "truth", "events", "broken", "play", "shots", "robots", "ball"));
   EXPECT_THAT(namesOf((*json)["events"][0]), ElementsAre("time", "kind", "text", "team", "player",
                                                          "ownGoal", "redScore", "blueScore"));
   EXPECT_THAT(namesOf((*json)["robots"][0]["localizationError"]),
@@ -172,6 +172,8 @@ TEST_F(ReportTest, ThePageNamesWhenTheMatchWasInterrupted) {
 
 TEST_F(ReportTest, ThePageNamesRobotsWhoseProgramsFailed) {
   MatchSummary match = sampleMatch(7);
+  match.broken.push_back(
+      {Time{8}, Time{16}, Severity::error, "apart", "red1", "34 mm inside blue2"});
   match.events.push_back({.time = {192'500},
                           .kind = "failure",
                           .text = "blue2: its program was ended by signal 9",
@@ -181,6 +183,8 @@ TEST_F(ReportTest, ThePageNamesRobotsWhoseProgramsFailed) {
   EXPECT_EQ(dataOf(page)["match"]["events"].back()["text"], match.events.back().text);
   EXPECT_THAT(page, HasSubstr("<p id=\"failures\" hidden></p>"));
   EXPECT_THAT(page, HasSubstr("events.filter((event) => event.kind === 'failure')"));
+  EXPECT_EQ(dataOf(page)["match"]["broken"][0]["text"], "34 mm inside blue2");
+  EXPECT_THAT(page, HasSubstr("byId('broken').hidden = match.broken.length === 0"));
 }
 
 TEST_F(ReportTest, ThePageLoadsNothingFromElsewhere) {

@@ -86,6 +86,11 @@ function showScore() {
   byId('failures').hidden = failures.length === 0;
   byId('failures').textContent =
       failures.map((event) => `${clock(event.second)} ${event.text}`).join('; ');
+  byId('broken').hidden = match.broken.length === 0;
+  byId('broken').textContent = match.broken
+                                   .map((b) => `${clock(b.time / 1000)} ${b.severity}: ` +
+                                        `${b.invariant}: ${b.who}: ${b.text}`)
+                                   .join('; ');
   byId('truth').hidden = match.truth.length === 0;
   byId('truth').textContent = `Given the truth by the simulator: ${match.truth.join(', ')}`;
 }

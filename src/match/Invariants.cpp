@@ -1,0 +1,202 @@
+#include "match/Invariants.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <span>
+#include <tuple>
+#include <type_traits>
+
+#include "match/SimulatedRobot.h"
+#include "representations/infrastructure/RobotFootprint.h"
+#include "simulation/world/Oracle.h"
+
+namespace gt {
+namespace {
+
+/// What has not held for so long is over.
+constexpr std::int64_t pause = 1000;  // ms
+/// By which bodies that touch give (mm).
+constexpr double deepest = 20;
+constexpr double farthestOff = 1000;   // mm
+constexpr std::int64_t oldest = 100;   // ms: a message when it is sent, its maker's cycle
+constexpr std::int64_t second = 1000;  // ms
+constexpr std::int64_t idle = 500;     // ms, of a process
+constexpr double wallThickness = 200;  // mm
+
+/// How far the footprints of two robots overlap (mm); below 0, how far they are apart.
+double overlapOf(const Pose2D& a, const Pose2D& b) {
+  double most = -1e9;
+  for (const double here : RobotFootprint::middles)
+    for (const double there : RobotFootprint::middles)
+      most = std::max(most, 2 * RobotFootprint::radius -
+                                (a * Vector2d{here, 0} - b * Vector2d{there, 0}).norm());
+  return most;
+}
+
+std::string millimeters(double value) {
+  return std::to_string(std::llround(value)) + " mm";
+}
+
+bool areFinite(std::span<const double> values) {
+  // One that is not makes the sum so, too.
+  return std::isfinite(std::accumulate(values.begin(), values.end(), 0.0));
+}
+
+bool isFinite(const Pose2D& pose) {
+  return std::isfinite(pose.rotation + pose.translation.sum());
+}
+
+}  // namespace
+
+Invariants::Invariants(const Simulation& simulation, const std::vector<MatchRobot*>& robots,
+                       const FieldDimensions& field)
+    : simulation_{simulation}, robots_{robots}, field_{field} {}
+
+void Invariants::update() {
+  checkApart();
+  checkCarpet();
+  checkFinite();
+  checkBelieved();
+  checkRadio();
+  if (simulation_.time().ms % second == 0) checkPrograms();
+}
+
+void Invariants::note(std::string_view invariant, const std::string& who, double amount,
+                      std::string text) {
+  const auto index = static_cast<std::size_t>(
+      std::ranges::find(invariants, invariant, &Invariant::name) - invariants.begin());
+  const Time now = simulation_.time();
+  const auto open = std::find_if(breaks_.rbegin(), breaks_.rend(), [&](const Break& b) {
+    return b.invariant == index && b.what.who == who && now - b.what.until <= pause;
+  });
+  if (open == breaks_.rend()) {
+    breaks_.push_back(
+        {index,
+         {now, now, invariants[index].severity, std::string{invariant}, who, std::move(text)},
+         amount});
+    return;
+  }
+  open->what.until = now;
+  if (amount <= open->worst) return;
+  open->worst = amount;
+  open->what.text = std::move(text);
+}
+
+std::vector<BrokenInvariant> Invariants::broken() const {
+  std::vector<BrokenInvariant> all;
+  for (const Break& b : breaks_)
+    if (b.what.until - b.what.time >= invariants[b.invariant].patience) all.push_back(b.what);
+  return all;
+}
+
+void Invariants::checkApart() {
+  const World& world = simulation_.world();
+  const auto names = simulation_.scene().allRobots();
+  const auto check = [&](std::size_t a, std::size_t b, double depth) {
+    if (depth > deepest)
+      note("apart", names[a]->name, depth, millimeters(depth) + " inside " + names[b]->name);
+  };
+  if (simulation_.scene().fidelity == Fidelity::dynamic) {
+    const std::span contacts{world.data().contact, static_cast<std::size_t>(world.data().ncon)};
+    for (const mjContact& contact : contacts) {
+      const auto a = robotOf(contact.geom1), b = robotOf(contact.geom2);
+      if (a && b && a != b) check(*a, *b, -1000 * contact.dist);
+    }
+    return;
+  }
+  for (std::size_t a = 0; a < world.robotCount(); ++a)
+    for (std::size_t b = a + 1; b < world.robotCount(); ++b)
+      check(a, b, overlapOf(world.robot(a).pose, world.robot(b).pose));
+}
+
+std::optional<std::size_t> Invariants::robotOf(int geom) const {
+  const mjModel& model = simulation_.world().model();
+  const int root = model.body_rootid[model.geom_bodyid[geom]];
+  for (std::size_t i = 0; i < simulation_.world().robotCount(); ++i)
+    if (simulation_.world().parts(i).body == root) return i;
+  return std::nullopt;
+}
+
+void Invariants::checkCarpet() {
+  const World& world = simulation_.world();
+  const auto check = [&](const std::string& who, const Vector2d& place) {
+    const double beyond =
+        std::max(std::abs(place.x()) - field_.xGoalBack, std::abs(place.y()) - field_.ySideline) -
+        wallThickness;
+    if (beyond > 0) note("carpet", who, beyond, millimeters(beyond) + " outside");
+  };
+  for (std::size_t i = 0; i < world.robotCount(); ++i)
+    check(simulation_.scene().allRobots()[i]->name, world.robot(i).pose.translation);
+  for (std::size_t i = 0; i < world.ballCount(); ++i)
+    check("ball" + std::to_string(i), world.ball(i).position);
+}
+
+void Invariants::checkFinite() {
+  const mjModel& model = simulation_.world().model();
+  const mjData& data = simulation_.world().data();
+  if (!areFinite({data.qpos, static_cast<std::size_t>(model.nq)}) ||
+      !areFinite({data.qvel, static_cast<std::size_t>(model.nv)}))
+    note("finite", "world", 0, "where things are is no number");
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const std::string& name = simulation_.scene().robots[i].name;
+    const RobotOutput& output = simulation_.output(i);
+    if (!areFinite(output.joints.angles.values) || !isFinite(output.odometry.pose))
+      note("finite", name, 0, "a command is no number");
+    const Belief& belief = robots_[i]->belief();
+    if ((belief.pose && !isFinite(belief.pose->pose)) ||
+        (belief.ball && !std::isfinite(belief.ball->position.sum())))
+      note("finite", name, 0, "a belief is no number");
+  }
+}
+
+/// Not of a robot that was just put, lies, or is penalized: it cannot know.
+void Invariants::checkBelieved() {
+  if (simulation_.referee().state() != GameState::playing) return;
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const RobotPose* pose = robots_[i]->belief().pose;
+    const RobotBody& body = simulation_.world().robot(i);
+    if (!pose || body.posture != Posture::standing || !robots_[i]->isOn() ||
+        simulation_.input(i).game.penalty != Penalty::none)
+      continue;
+    const Pose2D believed = toTeam(simulation_.players()[i].teamColor, pose->pose);
+    const double error = (believed.translation - body.pose.translation).norm();
+    if (error > farthestOff)
+      note("believed", simulation_.scene().robots[i].name, error,
+           "believes to be " + millimeters(error) + " from where it is");
+  }
+}
+
+void Invariants::checkRadio() {
+  const RadioParameters& radio = simulation_.radio().parameters();
+  const Time now = simulation_.time();
+  for (std::size_t i = 0; i < robots_.size(); ++i)
+    for (const TeamMessages::Received& received : simulation_.input(i).team.byPlayer) {
+      if (received.timeReceived == never() || now - received.timeReceived != tickMs) continue;
+      const auto delay = static_cast<double>(received.timeReceived - received.message.timeSent);
+      if (delay < radio.delayMin || delay > radio.delayMax + static_cast<double>(oldest))
+        note("radio", simulation_.scene().robots[i].name, std::abs(delay - radio.delayMin),
+             "a message took " + std::to_string(std::llround(delay)) + " ms");
+    }
+}
+
+/// Of the robots that run in this program.
+void Invariants::checkPrograms() {
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const auto* robot = dynamic_cast<const SimulatedRobot*>(robots_[i]);
+    if (!robot) continue;
+    for (const auto& process : robot->robot().processes())
+      if (const auto since = simulation_.time() - process->now(); since > idle)
+        note("running", robot->name(), static_cast<double>(since),
+             "process " + process->name() + " has not run for " + std::to_string(since) + " ms");
+    const auto look = [&]<typename T>(std::type_identity<T>) {
+      if (!robot->robot().provided<T>() || robot->robot().isDisabled(representation<T>()))
+        note("solved", robot->name(), 0, "nobody provides " + std::string{typeName<T>()});
+    };
+    const auto all = [&](const auto&... types) { (look(types), ...); };
+    std::apply(all, CommandSlots<std::type_identity>{});
+    std::apply(all, BeliefSlots<std::type_identity>{});
+  }
+}
+
+}  // namespace gt
