@@ -74,8 +74,8 @@ void xabslCycle(benchmark::State& state) {
   if (!configuration) throw std::runtime_error(configuration.error().text());
   GT2003BehaviorControl control;
   ImaginedWorld world;
-  world.field = *(*configuration)->field;
-  world.motions = *(*configuration)->motions;
+  world.field = (*configuration)->get<FieldDimensions>();
+  world.motions = (*configuration)->get<MotionNet>();
   world.game.state = GameState::playing;
   world.ball.position = {1000, 0};
   MotionRequest motion;
@@ -86,7 +86,7 @@ void xabslCycle(benchmark::State& state) {
   Debug debug;
   for ([[maybe_unused]] auto _ : state) {
     world.ball.lastSeen = world.frame.time = world.frame.time + 40;
-    control.update(world.state(), *(*configuration)->behavior, {}, motion, head, leds, sound,
+    control.update(world.state(), (*configuration)->get<Behavior>(), {}, motion, head, leds, sound,
                    message, debug);
   }
 }

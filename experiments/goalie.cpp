@@ -29,7 +29,7 @@ class LonelyGoalie {
     return LonelyGoalie{*std::move(match)};
   }
 
-  const FieldDimensions& field() const { return *match_->configuration().field; }
+  const FieldDimensions& field() const { return match_->configuration().get<FieldDimensions>(); }
   double deceleration() const { return match_->simulation().scene().physics.deceleration; }
   /// Has it guard while a ball lies at a place. Who has walked far away is put back.
   void guard(const Vector2d& ball) {

@@ -80,7 +80,7 @@ Result<Measurement> playStriker(const Job& job, const DataRoot& root) {
   auto match = matchOnScene(job, root, "scenes/one-robot.scene");
   if (!match) return match.error();
   Simulation& simulation = (*match)->simulation();
-  const FieldDimensions& field = *(*match)->configuration().field;
+  const FieldDimensions& field = (*match)->configuration().get<FieldDimensions>();
   Random random = Random{job.seed}.fork("start");
   const auto anywhere = [&] {
     constexpr double room = 100;  // mm, that a robot keeps off its area

@@ -121,7 +121,7 @@ Result<ReplayOptions> replayOptions(const Arguments& arguments) {
     if (arguments.naoColors) paths.colorOrder = nao2009ColorOrder;
     auto configuration = loadConfiguration(paths);
     if (!configuration) return configuration.error();
-    const auto& colors = (*configuration)->colorTable;
+    const auto* colors = (*configuration)->find<ColorTable64>();
     if (!paths.colorTable.empty() && colors) {
       const std::string doubt =
           doubtOfOrder(*colors, paths.colorTable, arguments.naoColors,

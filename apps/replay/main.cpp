@@ -64,7 +64,7 @@ class FieldWatch {
       return;
     const CameraMatrix& matrix = platform.picture().cameraMatrix;
     if (lines && landmarks) comparison_.add(*lines, *landmarks, matrix, label->second);
-    const MatrixFit fit{*platform.robot().setup().configuration->field};
+    const MatrixFit fit{platform.robot().setup().configuration->get<FieldDimensions>()};
     comparison_.add(fit.fit(matrix, label->second.lines));
   }
   const FieldComparison& comparison() const { return comparison_; }
@@ -91,7 +91,7 @@ Result<void> run(const ReplayFiles& files, const std::string& fieldLabels, const
                              printRow(platform.picture(), ball, label);
                              comparison.add(ball, label);
                              watch->look(platform);
-                             field = *platform.robot().setup().configuration->field;
+                             field = platform.robot().setup().configuration->get<FieldDimensions>();
                              if (const auto* pose = platform.robot().provided<RobotPose>())
                                track.add(*pose, {platform.picture().odometry});
                              return pictures ? writePicture(platform, out) : Result<void>{};

@@ -287,7 +287,7 @@ ViewSubject Console::viewSubject() {
   ViewSubject subject{session_.time(),
                       {},
                       &session_.simulation(),
-                      *session_.match().configuration().field,
+                      session_.match().configuration().get<FieldDimensions>(),
                       &recorder_->series()};
   for (ConsoleRobot* robot : selected()) subject.robots.push_back(&robot->observed());
   return subject;

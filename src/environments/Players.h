@@ -45,7 +45,7 @@ class Players : public Environment {
   /// Does what begins when the robots are ready.
   virtual void start() {}
 
-  const FieldDimensions& field() const { return *configuration_->field; }
+  const FieldDimensions& field() const { return configuration_->get<FieldDimensions>(); }
   SimulatedRobot& program(std::size_t robot) { return *programs_[robot]; }
   const SimulatedRobot& program(std::size_t robot) const { return *programs_[robot]; }
   const Pose2D& pose(std::size_t robot) const { return world().robot(robot).pose; }

@@ -37,9 +37,8 @@ class Blackboard {
     return slot.value.get();
   }
   /// Registers a value that several blackboards share, such as a color table.
-  template <typename T>
-  void share(std::shared_ptr<T> value) {
-    slots_[representation<T>().name] = {&representation<T>(), std::move(value), true};
+  void share(const RepresentationType& type, std::shared_ptr<void> value) {
+    slots_[type.name] = {&type, std::move(value), true};
   }
 
   /// Takes over the values that another blackboard holds too; both keep those that are shared.

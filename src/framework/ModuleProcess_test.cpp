@@ -250,7 +250,7 @@ TEST(SharedConfiguration, IsCopiedWhenItIsChanged) {
   std::vector<std::unique_ptr<ModuleProcess>> processes;
   for (int i = 0; i < 2; ++i) {
     Blackboard blackboard;
-    blackboard.share(shared);
+    blackboard.share(representation<Reading>(), shared);
     Time& now = blackboard.get<FrameTime>().time;
     processes.push_back(
         std::make_unique<ModuleProcess>(plan.processes[0], std::move(blackboard), now, Random{1}));

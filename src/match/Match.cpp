@@ -9,7 +9,6 @@
 #include "base/Hash.h"
 #include "measure/worlds/KickTables.h"
 #include "modules/motion/specialactions/MotionNetLoader.h"
-#include "representations/behavior/TargetPoints.h"
 #include "robot/Configuration.h"
 #include "simulation/scene/ProfileTable.h"
 #include "streams/Json.h"
@@ -47,7 +46,7 @@ Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
   auto teams = MatchTeams::load(match->options_, options.root, *scene);
   if (!teams) return teams.error();
   match->teams_ = std::move(*teams);
-  const FieldDimensions& field = *match->configuration().field;
+  const FieldDimensions& field = match->configuration().get<FieldDimensions>();
   if (scene->challenge && options.randomChallenge) scene->challenge->random = true;
   if (scene->challenge && scene->challenge->random)
     match->teams_.setTargets({randomTargets(field, Random{options.seed}.fork("targets"))});
@@ -58,7 +57,8 @@ Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
   if (const auto done = match->addRobots(); !done) return done.error();
   if (scene->challenge) {
     auto challenge = std::make_unique<Challenge>(
-        *scene->challenge, match->teams_.of(TeamColor::red).configuration->targets->points,
+        *scene->challenge,
+        match->teams_.of(TeamColor::red).configuration->get<TargetPoints>().points,
         Random{options.seed}.fork("challenge"));
     match->challenge_ = challenge.get();
     match->simulation_->add(std::move(challenge));
@@ -90,8 +90,8 @@ Result<void> Match::setKicks() {
     const MatchTeam& team = teamOf(robots[i]);
     auto& table = tables[team.paths.motions];
     if (!table) {
-      const Result<MotionNet> net =
-          team.configuration ? *team.configuration->motions : loadMotionNet(team.paths.motions);
+      const Result<MotionNet> net = team.configuration ? team.configuration->get<MotionNet>()
+                                                       : loadMotionNet(team.paths.motions);
       if (!net && team.program) continue;  // It reads them itself, and tells.
       if (!net) return net.error();
       auto kicks = kicksOfMotions(*net, team.paths, options_.root, threads);
@@ -107,7 +107,7 @@ std::vector<std::vector<std::string>> Match::kicks() const {
   std::vector<std::vector<std::string>> all;
   for (const SceneRobot& robot : simulation_->scene().robots)
     if (const auto& own = teamOf(robot).configuration)
-      all.push_back(kickNames(*own->motions));
+      all.push_back(kickNames(own->get<MotionNet>()));
     else
       all.emplace_back();
   forEachRobot<LockstepRobot>(

@@ -3,8 +3,6 @@
 #include <filesystem>
 #include <utility>
 
-#include "representations/behavior/TargetPoints.h"
-
 namespace gt {
 namespace {
 
@@ -80,7 +78,7 @@ Result<MatchTeams> MatchTeams::load(MatchSetup& setup, const DataRoot& root,
 void MatchTeams::setTargets(const TargetPoints& targets) {
   for (MatchTeam& team : teams_) {
     auto configuration = std::make_shared<Configuration>(*team.configuration);
-    configuration->targets = std::make_shared<TargetPoints>(targets);
+    configuration->set(targets);
     team.configuration = std::move(configuration);
   }
 }

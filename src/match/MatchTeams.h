@@ -7,6 +7,7 @@
 #include "match/MatchSetup.h"
 #include "match/teams/TeamFolder.h"
 #include "match/teams/TeamProgram.h"
+#include "representations/behavior/TargetPoints.h"
 #include "robot/Configuration.h"
 #include "simulation/scene/Scene.h"
 

@@ -26,7 +26,7 @@ Result<SimulatedRobot*> SimulatedRobot::enter(Simulation& simulation, std::size_
   auto entered =
       std::make_unique<SimulatedRobot>(simulation.scene().robots[index].name, std::move(*robot));
   SimulatedRobot* const made = entered.get();
-  simulation.setCamera(index, setup.configuration->camera.of(setup.address));
+  simulation.setCamera(index, setup.configuration->of<CameraSettings>(setup.address));
   simulation.attach(index, std::move(entered));
   return made;
 }

@@ -9,6 +9,8 @@
 #include "base/Suggestion.h"
 #include "framework/UnknownNames.h"
 #include "network/RobotAddresses.h"
+#include "representations/infrastructure/FieldDimensions.h"
+#include "representations/infrastructure/RobotDimensions.h"
 #include "robot/Processes.h"
 #include "robot/Solutions.h"
 #include "robot/TeamSolutions.h"
@@ -181,10 +183,16 @@ void readParameters(const SolutionTable& table, const ConfigFolder& folder,
     findings.add(readParameterFile(table, folder.path("modules/" + name), files));
 }
 
+/// Reads a part from its file, which may have sections for single robots.
 template <typename T>
-void readShared(const std::string& path, std::shared_ptr<T>& value, Findings& findings) {
-  value = std::make_shared<T>();
-  readOptional(path, *value, findings);
+void readPerRobot(const ConfigurationPart& part, Configuration& configuration, Findings& findings) {
+  readOptional(configuration.files.folder.path(part.file), configuration.perRobot<T>(), findings);
+}
+
+template <typename T>
+void shareOwn(const Configuration& configuration, const std::string& address,
+              Blackboard& blackboard) {
+  blackboard.get<T>() = configuration.of<T>(address);
 }
 
 /// The text of a part's file in the config format.
@@ -216,7 +224,7 @@ std::shared_ptr<Configuration> read(const ConfigurationPaths& paths, const Robot
   c.files = {paths, std::move(*folder)};
   for (const ConfigurationPart& part : modules.parts) {
     if (wanted && !contains(*wanted, part.type)) continue;
-    part.read(c.files, c, findings);
+    part.read(part, c, findings);
     c.parts.push_back(&part);
   }
   const ConfigFolder& files = c.files.folder;
@@ -250,41 +258,24 @@ Result<T> loadOne(const std::string& folder, const char* file, Read read) {
 }  // namespace
 
 const std::vector<ConfigurationPart>& commonParts() {
-  static const std::vector<ConfigurationPart> parts{
-      {.type = &representation<FieldDimensions>(),
-       .read =
-           [](const ConfigurationFiles& files, Configuration& c, Findings& findings) {
-             readShared(files.folder.path("field.cfg"), c.field, findings);
-           },
-       .share = [](const Configuration& c, const std::string&, Blackboard& b) { b.share(c.field); },
-       .file = "field.cfg",
-       .text = configText<FieldDimensions>},
-      {.type = &representation<RobotDimensions>(),
-       .read =
-           [](const ConfigurationFiles& files, Configuration& c, Findings& findings) {
-             readShared(files.folder.path("dimensions.cfg"), c.robot, findings);
-           },
-       .share = [](const Configuration& c, const std::string&, Blackboard& b) { b.share(c.robot); },
-       .file = "dimensions.cfg",
-       .text = configText<RobotDimensions>},
-      {.type = &representation<RobotCalibration>(),
-       .read =
-           [](const ConfigurationFiles& files, Configuration& c, Findings& findings) {
-             readOptional(files.folder.path("robot.cfg"), c.calibration, findings);
-           },
-       .share = [](const Configuration& c, const std::string& address,
-                   Blackboard& b) { b.get<RobotCalibration>() = c.calibration.of(address); },
-       .file = "robot.cfg",
-       .text = configText<RobotCalibration>},
-      {.type = &representation<CameraSettings>(),
-       .read =
-           [](const ConfigurationFiles& files, Configuration& c, Findings& findings) {
-             readOptional(files.folder.path("camera.cfg"), c.camera, findings);
-           },
-       .share = [](const Configuration& c, const std::string& address,
-                   Blackboard& b) { b.get<CameraSettings>() = c.camera.of(address); },
-       .file = "camera.cfg",
-       .text = configText<CameraSettings>}};
+  static const std::vector<ConfigurationPart> parts{{.type = &representation<FieldDimensions>(),
+                                                     .file = "field.cfg",
+                                                     .read = readPart<FieldDimensions>,
+                                                     .text = configText<FieldDimensions>},
+                                                    {.type = &representation<RobotDimensions>(),
+                                                     .file = "dimensions.cfg",
+                                                     .read = readPart<RobotDimensions>,
+                                                     .text = configText<RobotDimensions>},
+                                                    {.type = &representation<RobotCalibration>(),
+                                                     .file = "robot.cfg",
+                                                     .read = readPerRobot<RobotCalibration>,
+                                                     .share = shareOwn<RobotCalibration>,
+                                                     .text = configText<RobotCalibration>},
+                                                    {.type = &representation<CameraSettings>(),
+                                                     .file = "camera.cfg",
+                                                     .read = readPerRobot<CameraSettings>,
+                                                     .share = shareOwn<CameraSettings>,
+                                                     .text = configText<CameraSettings>}};
   return parts;
 }
 
@@ -297,7 +288,15 @@ Error Configuration::LogSettings::missing(const std::string& representation) con
 }
 
 void Configuration::share(Blackboard& blackboard, const std::string& address) const {
-  for (const ConfigurationPart* part : parts) part->share(*this, address, blackboard);
+  for (const ConfigurationPart* part : parts) share(*part, blackboard, address);
+}
+
+void Configuration::share(const ConfigurationPart& part, Blackboard& blackboard,
+                          const std::string& address) const {
+  if (part.share)
+    part.share(*this, address, blackboard);
+  else if (const auto value = values_.find(part.type); value != values_.end())
+    blackboard.share(*part.type, value->second);
 }
 
 Result<std::shared_ptr<const Configuration>> loadConfiguration(

@@ -2,6 +2,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "base/DataRoot.h"
@@ -9,11 +10,8 @@
 #include "framework/Blackboard.h"
 #include "framework/SolutionTable.h"
 #include "representations/infrastructure/CameraSettings.h"
-#include "representations/infrastructure/FieldDimensions.h"
 #include "representations/infrastructure/Player.h"
 #include "representations/infrastructure/RobotCalibration.h"
-#include "representations/infrastructure/RobotDimensions.h"
-#include "representations/perception/ColorTable64.h"
 #include "robot/ConfigFolder.h"
 
 namespace gt {
@@ -21,14 +19,8 @@ namespace gt {
 struct Behavior;
 struct BehaviorRequest;
 struct ConfigurationPart;
-struct HsiColors;
 struct MotionNet;
-struct PotentialFields;
 struct RobotModules;
-struct PlayValues;
-struct TargetPoints;
-struct TslColors;
-class ModuleProcess;
 
 /// The folders and files that a configuration is read from.
 struct ConfigurationPaths {
@@ -93,26 +85,48 @@ struct Configuration {
     std::string task, solution, path, text;
   };
 
-  std::shared_ptr<FieldDimensions> field;
-  std::shared_ptr<RobotDimensions> robot;
-  PerRobot<RobotCalibration> calibration;
-  PerRobot<CameraSettings> camera;
-  std::shared_ptr<ColorTable64> colorTable;
-  std::shared_ptr<HsiColors> hsiColors;  ///< Of which it was made; without ranges if of none.
-  std::shared_ptr<TslColors> tslColors;
-  std::shared_ptr<MotionNet> motions;
-  std::shared_ptr<const Behavior> behavior;
-  std::shared_ptr<PotentialFields> potentialFields;
-  std::shared_ptr<TargetPoints> targets;
-  std::shared_ptr<PlayValues> values;
   std::vector<SolutionChoice> solutions;
   std::vector<ParameterFile> parameters;
   LogSettings log;
   std::vector<const ConfigurationPart*> parts;  ///< That were read.
   ConfigurationFiles files;
 
+  /// A part that is the same for all robots; null if it was not read.
+  template <typename T>
+  const T* find() const {
+    const auto found = values_.find(&representation<T>());
+    return found == values_.end() ? nullptr : static_cast<const T*>(found->second.get());
+  }
+  /// One that was read.
+  template <typename T>
+  const T& get() const {
+    const T* const value = find<T>();
+    if (!value) violate(std::string{typeName<T>()} + " was not read from the configuration");
+    return *value;
+  }
+  template <typename T>
+  void set(T value) {
+    values_[&representation<T>()] = std::make_shared<T>(std::move(value));
+  }
+  /// A part of which each robot may have its own.
+  template <typename T>
+  PerRobot<T>& perRobot() {
+    return std::get<PerRobot<T>>(perRobot_);
+  }
+  /// That of the robot with a hardware address.
+  template <typename T>
+  const T& of(const std::string& address) const {
+    return std::get<PerRobot<T>>(perRobot_).of(address);
+  }
   /// Lays the shared values on a blackboard, and those of the robot with a hardware address.
   void share(Blackboard& blackboard, const std::string& address) const;
+  /// Lays one of them there.
+  void share(const ConfigurationPart& part, Blackboard& blackboard,
+             const std::string& address) const;
+
+ private:
+  std::map<const RepresentationType*, std::shared_ptr<void>> values_;
+  std::tuple<PerRobot<RobotCalibration>, PerRobot<CameraSettings>> perRobot_;
 };
 
 /// Compiles a behavior and links it with what this robot offers; the first error states file, line
@@ -120,32 +134,6 @@ struct Configuration {
 Result<Behavior> loadBehavior(const BehaviorRequest& request, const MotionNet& motions);
 /// A request with the texts of a behavior: those of its file and of all that this includes.
 Result<BehaviorRequest> readBehaviorTexts(const std::string& file);
-
-/// A part of the configuration: a representation that modules read, and how it gets on their
-/// blackboards. Each area of modules brings its own, so that a program neither links nor reads what
-/// none of its modules needs.
-struct ConfigurationPart {
-  const RepresentationType* type;
-  /// Reads it from files; adds what is wrong with them.
-  void (*read)(const ConfigurationFiles& files, Configuration& configuration, Findings& findings);
-  /// Lays it on the blackboard of a robot with a hardware address.
-  void (*share)(const Configuration& configuration, const std::string& address,
-                Blackboard& blackboard);
-  /// Carries out a message of the tools that replaces it while the robot runs; false if the message
-  /// is another one's. The representation itself needs no such function.
-  bool (*handle)(const Message& message, ModuleProcess& process,
-                 const ConfigurationFiles& files) = nullptr;
-  /// Called when a tool has replaced it or a field of it.
-  void (*changed)(Blackboard& blackboard) = nullptr;
-  /// Its file in the configuration's folder, and what that contains for a value; empty if the value
-  /// needs none. Null if it has a folder of its own. Tools write it (RunningConfiguration.h).
-  const char* file = nullptr;
-  std::string (*text)(const void* value) = nullptr;
-};
-
-/// What all processes may read: the dimensions of field and robot, its calibration, how its camera
-/// is set.
-const std::vector<ConfigurationPart>& commonParts();
 
 /// Reads all parts that are in `wanted`, or all that the modules know; the first error states file,
 /// line and field. Names of solutions are checked where there are solutions of the task.

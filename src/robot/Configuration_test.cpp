@@ -9,6 +9,7 @@
 #include "base/File.h"
 #include "colors/HsiColors.h"
 #include "colors/TslColors.h"
+#include "representations/infrastructure/FieldDimensions.h"
 #include "representations/motion/MotionNet.h"
 #include "robot/Solutions.h"
 
@@ -58,15 +59,15 @@ TEST_F(ConfigurationTest, TheRepositorysIsSound) {
 
 /// The color table is made of HSI ranges where these are nearer than a table (report B.4.1, J.6.2).
 TEST_F(ConfigurationTest, MakesTheColorTableOfHsiRanges) {
-  const auto table = [&] { return (*loadConfiguration(paths))->colorTable->classes; };
+  const auto table = [&] { return (*loadConfiguration(paths))->get<ColorTable64>().classes; };
   const auto own = table();
   write("config/coltable.hsi", "[green]\nhue 100 140\nsaturation 20 100\nintensity 10 90\n");
-  const auto ranges = (*loadConfiguration(paths))->hsiColors;
-  EXPECT_FALSE(ranges->ranges[ColorClass::green].empty());
-  EXPECT_EQ(table(), ranges->table().classes);
+  const HsiColors ranges = (*loadConfiguration(paths))->get<HsiColors>();
+  EXPECT_FALSE(ranges.ranges[ColorClass::green].empty());
+  EXPECT_EQ(table(), ranges.table().classes);
   EXPECT_NE(table(), own);
   fs::remove(root / "config/coltable.c64");
-  EXPECT_EQ(table(), ranges->table().classes);
+  EXPECT_EQ(table(), ranges.table().classes);
   fs::create_directories(root / "config/Padua");
   fs::copy("config/coltable.c64", root / "config/Padua");
   write("config/location.cfg", "Padua");
@@ -189,7 +190,7 @@ TEST_F(ConfigurationTest, ANewKickIsAFileAndRowsOfTheTable) {
   EXPECT_EQ(error(), "no error");
   const auto configuration = loadConfiguration(paths);
   ASSERT_TRUE(configuration);
-  const MotionNet& motions = *(*configuration)->motions;
+  const MotionNet& motions = (*configuration)->get<MotionNet>();
   ASSERT_GT(motions.find("myKick"), 0);
   EXPECT_TRUE(motions.motions[static_cast<std::size_t>(motions.find("myKick"))].isKick());
 }
@@ -216,17 +217,17 @@ TEST_F(ConfigurationTest, FilesOfTheLocationWin) {
   write("config/Padua/modules.cfg", "SelfLocator disabled\n");
   write("config/Padua/modules/SelfLocator.MonteCarlo.cfg", "");
   const auto common = *loadConfiguration(paths);
-  EXPECT_EQ(common->field->ballRadius, 43) << "no location yet";
+  EXPECT_EQ(common->get<FieldDimensions>().ballRadius, 43) << "no location yet";
   write("config/location.cfg", "Padua\n");
   const auto padua = *loadConfiguration(paths);
-  EXPECT_EQ(padua->field->ballRadius, 50);
+  EXPECT_EQ(padua->get<FieldDimensions>().ballRadius, 50);
   ASSERT_EQ(padua->solutions.size(), 1u);
   EXPECT_EQ(padua->solutions[0].solution, "disabled");
   EXPECT_EQ(padua->parameters.size(), common->parameters.size() + 1)
       << "all common ones, and its own";
   EXPECT_FALSE(padua->log.representations.empty()) << "what it has not is the common one";
   write("config/location.cfg", " // nothing chosen\n");
-  EXPECT_EQ((*loadConfiguration(paths))->field->ballRadius, 43);
+  EXPECT_EQ((*loadConfiguration(paths))->get<FieldDimensions>().ballRadius, 43);
 }
 
 TEST_F(ConfigurationTest, WrongLocations) {
@@ -244,12 +245,12 @@ TEST_F(ConfigurationTest, RobotsAreCalibratedByTheirAddresses) {
   write("config/camera.cfg",
         "whiteBalance wb_fl_mode\n[00022D1F626B]\ngain gain_high\nshutterSpeed shutter_slow\n");
   const auto configuration = *loadConfiguration(paths);
-  EXPECT_EQ(configuration->calibration.of("00022D1F626B").bodyTiltOffset, 0.06);
-  EXPECT_EQ(configuration->calibration.of("00022D1F626C").bodyTiltOffset, 0);
-  const CameraSettings& camera = configuration->camera.of("00022D1F626B");
+  EXPECT_EQ(configuration->of<RobotCalibration>("00022D1F626B").bodyTiltOffset, 0.06);
+  EXPECT_EQ(configuration->of<RobotCalibration>("00022D1F626C").bodyTiltOffset, 0);
+  const CameraSettings& camera = configuration->of<CameraSettings>("00022D1F626B");
   EXPECT_EQ(camera.whiteBalance, WhiteBalance::wb_fl_mode) << "as for all robots";
   EXPECT_EQ(camera.gain, Gain::gain_high);
-  EXPECT_EQ(configuration->camera.of("").gain, Gain::gain_mid);
+  EXPECT_EQ(configuration->of<CameraSettings>("").gain, Gain::gain_mid);
   Blackboard blackboard;
   configuration->share(blackboard, "00022D1F626B");
   EXPECT_EQ(blackboard.get<RobotCalibration>().bodyTiltOffset, 0.06);

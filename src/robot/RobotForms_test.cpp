@@ -227,7 +227,7 @@ TEST_P(RobotForms, ItsConfigurationIsReplacedWhileItRuns) {
   EXPECT_NE(table().classes, colors.classes);
   robot->ask(colors);
   EXPECT_TRUE(robot->runUntil([&] { return table().classes == colors.classes; }));
-  EXPECT_NE((*loadConfiguration({}))->colorTable->classes, colors.classes);
+  EXPECT_NE((*loadConfiguration({}))->get<ColorTable64>().classes, colors.classes);
 
   HsiColors hsi;
   hsi.ranges[ColorClass::green] = {{0, 359}, {0, 100}, {0, 100}};

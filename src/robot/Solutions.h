@@ -4,7 +4,7 @@
 #include "framework/SolutionTable.h"
 #include "network/Vocabulary.h"
 #include "robot/Areas.h"
-#include "robot/Configuration.h"
+#include "robot/ConfigurationPart.h"
 
 namespace gt {
 

@@ -87,8 +87,8 @@ Result<std::vector<LabelError>> compareWithLabels(
     FieldDimensions field;
     if (const auto* own = robot.provided<FieldDimensions>())
       field = *own;
-    else if (robot.setup().configuration->field)
-      field = *robot.setup().configuration->field;
+    else if (const auto* own = robot.setup().configuration->find<FieldDimensions>())
+      field = *own;
     // What vision has not looked at yet is not this image's.
     if (seen.ball.time != seen.time) seen.ball = {};
     if (seen.landmarks.time != seen.time) seen.landmarks = {};

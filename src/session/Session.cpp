@@ -215,7 +215,7 @@ Result<void> Session::serveFoxglove(const FoxgloveAccess& access) {
 
 void Session::updateFoxglove() {
   if (!foxglove_) return;
-  FoxgloveSubject subject{.now = time(), .field = *match().configuration().field};
+  FoxgloveSubject subject{.now = time(), .field = match().configuration().get<FieldDimensions>()};
   for (const auto& robot : state_.robots) subject.robots.push_back(&robot->observed());
   subject.truth = [this] { return truthOf(simulation()); };
   subject.parameterChanged = [this] {

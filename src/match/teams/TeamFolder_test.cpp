@@ -63,7 +63,7 @@ TEST_F(TeamFolderTest, LiesOverTheProjectsFiles) {
   expected["SelfLocator.Kalman"] = "slip 0.4\n";
   EXPECT_EQ(files(**other), expected);
   EXPECT_EQ((*other)->solutions.size(), (*own)->solutions.size());
-  EXPECT_EQ((*other)->motions->motions.size(), (*own)->motions->motions.size());
+  EXPECT_EQ((*other)->get<MotionNet>().motions.size(), (*own)->get<MotionNet>().motions.size());
   EXPECT_FALSE(fs::exists("config/modules/SelfLocator.Kalman.cfg"))
       << "the project's are as before";
 }

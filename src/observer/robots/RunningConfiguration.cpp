@@ -102,7 +102,7 @@ Result<void> loadParts(ObservedRobot& robot, const Configuration& configuration,
   Blackboard blackboard;
   for (const ConfigurationPart* part : configuration.parts) {
     if (!part->text || !fs::exists(configuration.files.folder.path(part->file))) continue;
-    part->share(configuration, address, blackboard);
+    configuration.share(*part, blackboard, address);
     const void* value = blackboard.get(*part->type);
     if (part->text(value).empty()) continue;
     if (auto done = robot.send(*part->type, value); !done) return done;

@@ -24,7 +24,7 @@ Result<std::unique_ptr<Robot>> makeRobot(const RobotProgramOptions& options,
 }
 
 LockstepGreeting greetingOf(const Robot& robot) {
-  const auto& net = robot.setup().configuration->motions;
+  const auto* net = robot.setup().configuration->find<MotionNet>();
   return {lockstepProtocol, commit(), net ? kickNames(*net) : std::vector<std::string>{}};
 }
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "representations/infrastructure/FieldDimensions.h"
 #include "representations/modeling/BallModel.h"
 #include "representations/perception/BallPercept.h"
 #include "support/TestLog.h"
@@ -87,20 +88,21 @@ class LogPlatformTest : public testing::Test {
         {"config/nao2009", "motions", "behavior/GT2003.xabsl", "config/coltable.c64"});
     ASSERT_TRUE(loaded) << loaded.error().text();
     auto configuration = std::make_shared<Configuration>(**loaded);
-    configuration->colorTable = std::make_shared<ColorTable64>();
-    for (std::size_t i = 0; i < configuration->colorTable->classes.size(); ++i) {
+    ColorTable64 colors;
+    for (std::size_t i = 0; i < colors.classes.size(); ++i) {
       const int cr = static_cast<int>(i % 64) * 4, cb = static_cast<int>(i / 64 % 64) * 4;
-      configuration->colorTable->classes[i] = cr > 160               ? ColorClass::orange
-                                              : cb < 125 && cr < 125 ? ColorClass::green
-                                                                     : ColorClass::noColor;
+      colors.classes[i] = cr > 160               ? ColorClass::orange
+                          : cb < 125 && cr < 125 ? ColorClass::green
+                                                 : ColorClass::noColor;
     }
+    configuration->set(colors);
     setup_.configuration = configuration;
     const auto layout = loadLayout("layouts/replay.layout");
     ASSERT_TRUE(layout) << layout.error().text();
     setup_.layout = *layout;
   }
 
-  const FieldDimensions& field() const { return *setup_.configuration->field; }
+  const FieldDimensions& field() const { return setup_.configuration->get<FieldDimensions>(); }
 
   RobotSetup setup_;
 };

@@ -10,7 +10,6 @@
 #include "representations/behavior/TargetPoints.h"
 #include "robot/Robot.h"
 #include "robot/Solutions.h"
-#include "streams/Config.h"
 #include "xabsl/formats/Compile.h"
 #include "xabsl/formats/Sources.h"
 
@@ -89,23 +88,22 @@ Result<void> change(const Message& message, ModuleProcess& process,
   return {};
 }
 
-void read(const ConfigurationFiles& files, Configuration& configuration, Findings& findings) {
-  configuration.behavior = std::make_shared<Behavior>(
-      readBehavior({files.paths.behavior, {}}, *configuration.motions, findings));
+void read(const ConfigurationPart&, Configuration& configuration, Findings& findings) {
+  configuration.set(readBehavior({configuration.files.paths.behavior, {}},
+                                 configuration.get<MotionNet>(), findings));
 }
 
 void share(const Configuration& configuration, const std::string&, Blackboard& blackboard) {
-  blackboard.get<Behavior>() = *configuration.behavior;
+  blackboard.get<Behavior>() = configuration.get<Behavior>();
 }
 
-/// Reads a file of the folder, which may be missing.
-template <typename T>
-void readFile(const ConfigurationFiles& files, const std::string& name, std::shared_ptr<T>& value,
-              Findings& findings) {
-  value = std::make_shared<T>();
-  const std::string file = files.folder.path(name);
-  if (!fs::exists(file)) return;
-  if (auto done = readConfig(file, *value); !done) findings.add(done.error());
+void readValues(const ConfigurationPart& part, Configuration& configuration, Findings& findings) {
+  readPart<PlayValues>(part, configuration, findings);
+  if (auto done = configuration.get<PlayValues>().check(); !done) {
+    Error error = done.error();
+    error.file = configuration.files.folder.path(part.file);
+    findings.add(error);
+  }
 }
 
 bool handle(const Message& message, ModuleProcess& process, const ConfigurationFiles& files) {
@@ -158,31 +156,16 @@ void addBehavior(RobotModules& modules) {
   SolutionTable& table = modules.solutions;
   table.add<BehaviorControl, GT2003BehaviorControl>("GT2003");
   table.add<SensorBehaviorControl, ObstacleAvoiderOnGreenField>("ObstacleAvoiderOnGreenField");
-  modules.parts.push_back({&representation<Behavior>(), read, share, handle});
-  modules.parts.push_back({&representation<PotentialFields>(),
-                           [](const ConfigurationFiles& files, Configuration& c, Findings& f) {
-                             readFile(files, "potentialfields.cfg", c.potentialFields, f);
-                           },
-                           [](const Configuration& c, const std::string&, Blackboard& b) {
-                             b.share(c.potentialFields);
-                           }});
   modules.parts.push_back(
-      {&representation<TargetPoints>(),
-       [](const ConfigurationFiles& files, Configuration& c, Findings& f) {
-         readFile(files, "targets.cfg", c.targets, f);
-       },
-       [](const Configuration& c, const std::string&, Blackboard& b) { b.share(c.targets); }});
+      {.type = &representation<Behavior>(), .read = read, .share = share, .handle = handle});
+  modules.parts.push_back({.type = &representation<PotentialFields>(),
+                           .file = "potentialfields.cfg",
+                           .read = readPart<PotentialFields>});
+  modules.parts.push_back({.type = &representation<TargetPoints>(),
+                           .file = "targets.cfg",
+                           .read = readPart<TargetPoints>});
   modules.parts.push_back(
-      {&representation<PlayValues>(),
-       [](const ConfigurationFiles& files, Configuration& c, Findings& f) {
-         readFile(files, "values.cfg", c.values, f);
-         if (auto done = c.values->check(); !done) {
-           Error error = done.error();
-           error.file = files.folder.path("values.cfg");
-           f.add(error);
-         }
-       },
-       [](const Configuration& c, const std::string&, Blackboard& b) { b.share(c.values); }});
+      {.type = &representation<PlayValues>(), .file = "values.cfg", .read = readValues});
 }
 
 }  // namespace gt

@@ -8,8 +8,9 @@
 namespace gt {
 namespace {
 
-void read(const ConfigurationFiles& files, Configuration& configuration, Findings& findings) {
-  configuration.motions = std::make_shared<MotionNet>();
+void read(const ConfigurationPart&, Configuration& configuration, Findings& findings) {
+  configuration.set(MotionNet{});
+  const ConfigurationFiles& files = configuration.files;
   const auto compilation = motionnet::compileFolder(files.paths.motions, motionRules());
   for (const motionnet::Diagnostic& error : compilation.errors)
     findings.add(
@@ -22,17 +23,13 @@ void read(const ConfigurationFiles& files, Configuration& configuration, Finding
   if (std::filesystem::exists(table))
     if (auto read = readConfig(table, kicks); !read) findings.add(read.error());
   net->take(kicks);
-  *configuration.motions = std::move(*net);
-}
-
-void share(const Configuration& configuration, const std::string&, Blackboard& blackboard) {
-  blackboard.share(configuration.motions);
+  configuration.set(*std::move(net));
 }
 
 }  // namespace
 
 void addMotionNet(RobotModules& modules) {
-  const ConfigurationPart part{&representation<MotionNet>(), read, share};
+  const ConfigurationPart part{.type = &representation<MotionNet>(), .read = read};
   if (std::ranges::find(modules.parts, part.type, &ConfigurationPart::type) == modules.parts.end())
     modules.parts.push_back(part);
 }

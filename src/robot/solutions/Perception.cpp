@@ -31,39 +31,35 @@ std::string hsiFile(const ConfigurationFiles& files) {
   return {};
 }
 
-/// Takes what was read; errors go to the findings.
+/// Sets what was read; errors go to the findings.
 template <typename T>
-void take(Result<T> read, T& value, Findings& findings) {
-  if (read)
-    value = std::move(*read);
-  else
-    findings.add(read.error());
+void set(Result<T> read, Configuration& configuration, Findings& findings) {
+  if (!read) findings.add(read.error());
+  configuration.set(read ? *std::move(read) : T{});
 }
 
-void readHsi(const ConfigurationFiles& files, Configuration& configuration, Findings& findings) {
-  if (configuration.hsiColors) return;
-  configuration.hsiColors = std::make_shared<HsiColors>();
-  if (const std::string file = hsiFile(files); !file.empty())
-    take(readHsiColors(file), *configuration.hsiColors, findings);
+void readHsi(const ConfigurationPart&, Configuration& configuration, Findings& findings) {
+  if (configuration.find<HsiColors>()) return;
+  const std::string file = hsiFile(configuration.files);
+  set(file.empty() ? HsiColors{} : readHsiColors(file), configuration, findings);
 }
 
-void readTable(const ConfigurationFiles& files, Configuration& configuration, Findings& findings) {
-  configuration.colorTable = std::make_shared<ColorTable64>();
-  readHsi(files, configuration, findings);
+void readTable(const ConfigurationPart& part, Configuration& configuration, Findings& findings) {
+  readHsi(part, configuration, findings);
+  const ConfigurationFiles& files = configuration.files;
   const std::string& given = files.paths.colorTable;
   if (!hsiFile(files).empty())
-    *configuration.colorTable = configuration.hsiColors->table();
+    configuration.set(configuration.get<HsiColors>().table());
   else
-    take(readColorTable(given.empty() ? files.folder.path("coltable.c64") : given,
-                        files.paths.colorOrder),
-         *configuration.colorTable, findings);
+    set(readColorTable(given.empty() ? files.folder.path(part.file) : given,
+                       files.paths.colorOrder),
+        configuration, findings);
 }
 
-void readTsl(const ConfigurationFiles& files, Configuration& configuration, Findings& findings) {
-  configuration.tslColors = std::make_shared<TslColors>();
-  const std::string file = files.folder.path("coltable.tsl");
-  if (!std::filesystem::exists(file)) return;
-  take(readTslColors(file), *configuration.tslColors, findings);
+void readTsl(const ConfigurationPart& part, Configuration& configuration, Findings& findings) {
+  const std::string file = configuration.files.folder.path(part.file);
+  const bool exists = std::filesystem::exists(file);
+  set(exists ? readTslColors(file) : TslColors{}, configuration, findings);
 }
 
 }  // namespace
@@ -71,36 +67,32 @@ void readTsl(const ConfigurationFiles& files, Configuration& configuration, Find
 void addPerception(RobotModules& modules) {
   const auto add = [&](const ConfigurationPart& part) { modules.parts.push_back(part); };
   add({.type = &representation<ColorTable64>(),
-       .read = readTable,
-       .share = [](const Configuration& c, const std::string&,
-                   Blackboard& b) { b.share(c.colorTable); },
-       .changed = [](Blackboard& b) { b.get<HsiColors>() = {}; },
        .file = "coltable.c64",
+       .read = readTable,
+       .changed = [](Blackboard& b) { b.get<HsiColors>() = {}; },
        .text =
            [](const void* value) {
              return colorTableBytes(*static_cast<const ColorTable64*>(value));
            }});
   // Behind the table, which may be made of these ranges (report J.6.2); one by itself has none.
   add({.type = &representation<HsiColors>(),
+       .file = "coltable.hsi",
        .read = readHsi,
        .share = [](const Configuration& c, const std::string&,
-                   Blackboard& b) { b.get<HsiColors>() = *c.hsiColors; },
+                   Blackboard& b) { b.get<HsiColors>() = c.get<HsiColors>(); },
        .changed =
            [](Blackboard& b) {
              *static_cast<ColorTable64*>(b.own(representation<ColorTable64>())) =
                  b.get<HsiColors>().table();
            },
-       .file = "coltable.hsi",
        .text = [](const void* value) -> std::string {
          const auto& colors = *static_cast<const HsiColors*>(value);
          const bool any = !std::ranges::all_of(colors.ranges.values, &HsiRange::empty);
          return any ? hsiText(colors) : std::string{};
        }});
   add({.type = &representation<TslColors>(),
-       .read = readTsl,
-       .share = [](const Configuration& c, const std::string&,
-                   Blackboard& b) { b.share(c.tslColors); },
        .file = "coltable.tsl",
+       .read = readTsl,
        .text = [](const void* value) { return tslText(*static_cast<const TslColors*>(value)); }});
   SolutionTable& table = modules.solutions;
   table.add<SensorDataProcessor, DefaultSensorDataProcessor>("Default");
