@@ -18,11 +18,11 @@ namespace {
 
 /// How robots outside kept up.
 void printRemote(const Match& match) {
-  match.forEachRobot<RemoteRobot>([](std::size_t, const RemoteRobot& robot) {
-    const RemoteStatistics& s = robot.statistics();
-    fmt::print("{}: {} of {} frames and {} of {} images without an answer in time\n", robot.name(),
+  for (const RemoteRobot* robot : match.remoteRobots()) {
+    const RemoteStatistics& s = robot->statistics();
+    fmt::print("{}: {} of {} frames and {} of {} images without an answer in time\n", robot->name(),
                s.missedFrames, s.frames, s.missedPictures, s.pictures);
-  });
+  }
 }
 
 /// Prints what the robots reported as wrong.

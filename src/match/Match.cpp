@@ -280,6 +280,12 @@ Result<void> Match::teamFailure() const {
   return first;
 }
 
+std::vector<const RemoteRobot*> Match::remoteRobots() const {
+  std::vector<const RemoteRobot*> all;
+  forEachRobot<RemoteRobot>([&](std::size_t, const RemoteRobot& robot) { all.push_back(&robot); });
+  return all;
+}
+
 std::size_t Match::robotIndex(std::size_t robot) const {
   return static_cast<std::size_t>(std::ranges::find(allRobots_, robots_[robot]) -
                                   allRobots_.begin());

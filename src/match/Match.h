@@ -133,6 +133,8 @@ class Match {
     for (std::size_t i = 0; i < allRobots_.size(); ++i)
       if (auto* robot = dynamic_cast<Kind*>(allRobots_[i])) visit(i, *robot);
   }
+  /// Those whose processes run elsewhere.
+  std::vector<const RemoteRobot*> remoteRobots() const;
   const MatchStatistics& statistics() const { return *statistics_; }
   MatchSummary summary() const;
   /// The time that each task took so far, over all robots, and the parts of the simulator.

@@ -45,12 +45,7 @@ class RobotOfPrograms {
             "--logs",
             folder};
   }
-  const RemoteRobot& robot() const {
-    const RemoteRobot* found = nullptr;
-    match->forEachRobot<RemoteRobot>(
-        [&](std::size_t, const RemoteRobot& robot) { found = &robot; });
-    return *found;
-  }
+  const RemoteRobot& robot() const { return *match->remoteRobots().front(); }
   /// Plays on for some ms.
   void play(std::int64_t ms) {
     const auto begin = std::chrono::steady_clock::now();
