@@ -68,7 +68,8 @@ void Invariants::note(std::string_view invariant, const std::string& who, double
       std::ranges::find(invariants, invariant, &Invariant::name) - invariants.begin());
   const Time now = simulation_.time();
   const auto open = std::find_if(breaks_.rbegin(), breaks_.rend(), [&](const Break& b) {
-    return b.invariant == index && b.what.who == who && now - b.what.until <= pause;
+    return b.invariant == index && b.what.who == who && now - b.what.until <= pause &&
+           (amount > 0 || b.what.text == text);  // what has no amount is told each by itself
   });
   if (open == breaks_.rend()) {
     breaks_.push_back(
@@ -120,6 +121,7 @@ std::optional<std::size_t> Invariants::robotOf(int geom) const {
 
 void Invariants::checkCarpet() {
   const World& world = simulation_.world();
+  const auto names = simulation_.scene().allRobots();
   const auto check = [&](const std::string& who, const Vector2d& place) {
     const double beyond =
         std::max(std::abs(place.x()) - field_.xGoalBack, std::abs(place.y()) - field_.ySideline) -
@@ -127,7 +129,7 @@ void Invariants::checkCarpet() {
     if (beyond > 0) note("carpet", who, beyond, millimeters(beyond) + " outside");
   };
   for (std::size_t i = 0; i < world.robotCount(); ++i)
-    check(simulation_.scene().allRobots()[i]->name, world.robot(i).pose.translation);
+    check(names[i]->name, world.robot(i).pose.translation);
   for (std::size_t i = 0; i < world.ballCount(); ++i)
     check("ball" + std::to_string(i), world.ball(i).position);
 }

@@ -154,14 +154,16 @@ TEST_F(InvariantsOfMatch, AProcessThatStandsAndATaskThatIsDisabledAreFound) {
   auto match = Match::make(options);
   ASSERT_TRUE(match) << match.error().text();
   SimulatedRobot& robot = *(*match)->robots().front();
-  ASSERT_TRUE(robot.robot().request(SolutionRequest{"SelfLocator", "disabled"}));
+  for (const char* task : {"SelfLocator", "BallLocator"})
+    ASSERT_TRUE(robot.robot().request(SolutionRequest{task, "disabled"}));
   robot.setSlowness(1e6);
   while ((*match)->time() < Time{3000}) (*match)->step();
   std::vector<std::string> names;
   for (const BrokenInvariant& b : (*match)->summary().broken)
     names.push_back(b.invariant + ": " + b.who + ": " + b.text.substr(0, b.text.find(" for")));
   EXPECT_THAT(names, testing::UnorderedElementsAre("running: red3: process Cognition has not run",
-                                                   "solved: red3: nobody provides RobotPose"));
+                                                   "solved: red3: nobody provides RobotPose",
+                                                   "solved: red3: nobody provides BallModel"));
 }
 
 }  // namespace
