@@ -7,9 +7,9 @@
 #include "base/File.h"
 #include "base/Guarded.h"
 #include "xabsl/formats/Compile.h"
-#include "xabsl/formats/IntermediateCode.h"
 #include "xabsl/formats/Root.h"
 #include "xabsl/formats/Sources.h"
+#include "xabsl/formats/intermediate/IntermediateCode.h"
 
 namespace xabsl::app {
 

@@ -4,7 +4,7 @@
 
 #include "Commands.h"
 #include "base/DataRoot.h"
-#include "xabsl/formats/Sources.h"
+#include "xabsl/language/SourceFiles.h"
 
 namespace xabsl::app {
 namespace {

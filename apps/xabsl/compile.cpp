@@ -2,7 +2,7 @@
 #include <string>
 
 #include "Commands.h"
-#include "xabsl/formats/IntermediateCode.h"
+#include "xabsl/formats/intermediate/IntermediateCode.h"
 
 namespace xabsl::app {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "Commands.h"
-#include "xabsl/formats/Formatter.h"
-#include "xabsl/formats/Sources.h"
+#include "xabsl/formats/text/Formatter.h"
+#include "xabsl/language/SourceFiles.h"
 
 namespace xabsl::app {
 

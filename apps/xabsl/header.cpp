@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "Commands.h"
-#include "xabsl/formats/Sources.h"
-#include "xabsl/formats/SymbolsHeader.h"
+#include "xabsl/formats/intermediate/SymbolsHeader.h"
+#include "xabsl/language/SourceFiles.h"
 
 namespace xabsl::app {
 

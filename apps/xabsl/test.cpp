@@ -7,7 +7,7 @@
 
 #include "Commands.h"
 #include "Team.h"
-#include "xabsl/formats/Sources.h"
+#include "xabsl/language/SourceFiles.h"
 #include "xabsl/tools/testing/TestFile.h"
 #include "xabsl/tools/testing/TestRunner.h"
 #include "xabsl/tools/trace/Coverage.h"

@@ -5,7 +5,7 @@
 
 #include "xabsl/formats/Compile.h"
 #include "xabsl/formats/Convert.h"
-#include "xabsl/formats/IntermediateCode.h"
+#include "xabsl/formats/intermediate/IntermediateCode.h"
 
 namespace gt {
 

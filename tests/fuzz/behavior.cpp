@@ -4,7 +4,7 @@
 #include "AllForms.h"
 #include "Fuzz.h"
 #include "xabsl/formats/Compile.h"
-#include "xabsl/formats/Formatter.h"
+#include "xabsl/formats/text/Formatter.h"
 #include "xabsl/language/Reporter.h"
 
 /// Whatever is text is formatted once and for all; what compiles means the same then.

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "Fuzz.h"
-#include "xabsl/formats/Sources.h"
+#include "xabsl/language/VirtualFiles.h"
 #include "xabsl/tools/server/MessageReader.h"
 #include "xabsl/tools/server/Server.h"
 

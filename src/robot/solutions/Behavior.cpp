@@ -12,6 +12,7 @@
 #include "robot/Solutions.h"
 #include "xabsl/formats/Compile.h"
 #include "xabsl/formats/Sources.h"
+#include "xabsl/language/SourceFiles.h"
 
 namespace gt {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "xabsl/engine/Engine.h"
-#include "xabsl/formats/IntermediateCode.h"
+#include "xabsl/formats/intermediate/IntermediateCode.h"
 #include "xabsl/tests/RandomBehavior.h"
 #include "xabsl/tests/TestBehavior.h"
 

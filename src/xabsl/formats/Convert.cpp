@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "xabsl/formats/SourceWriter.h"
 #include "xabsl/formats/Sources.h"
+#include "xabsl/formats/text/SourceWriter.h"
 #include "xabsl/language/Analyzer.h"
 
 namespace xabsl {

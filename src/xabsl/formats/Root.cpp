@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "xabsl/formats/Sources.h"
-#include "xabsl/formats/XmlReader.h"
+#include "xabsl/formats/xml/XmlReader.h"
 
 namespace xabsl {
 

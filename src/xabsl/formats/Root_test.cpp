@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "xabsl/formats/Sources.h"
+#include "xabsl/language/VirtualFiles.h"
 
 namespace xabsl {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "xabsl/formats/XmlOutput.h"
+#include "xabsl/formats/xml/XmlOutput.h"
 #include "xabsl/language/Text.h"
 #include "xabsl/language/Utf8.h"
 

@@ -2,7 +2,7 @@
 #include <optional>
 #include <utility>
 
-#include "xabsl/formats/XmlReader.h"
+#include "xabsl/formats/xml/XmlReader.h"
 #include "xabsl/language/Lexer.h"
 #include "xabsl/language/Text.h"
 #include "xabsl/tools/server/Protocol.h"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "xabsl/formats/Sources.h"
 #include "xabsl/language/Analyzer.h"
 #include "xabsl/language/Utf8.h"
 #include "xabsl/language/Warnings.h"

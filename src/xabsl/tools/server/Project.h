@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
-#include "xabsl/formats/Sources.h"
 #include "xabsl/language/Diagnostic.h"
 #include "xabsl/language/Model.h"
 #include "xabsl/language/References.h"
 #include "xabsl/language/Syntax.h"
+#include "xabsl/language/VirtualFiles.h"
 
 namespace xabsl::server {
 

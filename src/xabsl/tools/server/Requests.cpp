@@ -3,7 +3,7 @@
 #include <tuple>
 #include <utility>
 
-#include "xabsl/formats/Formatter.h"
+#include "xabsl/formats/text/Formatter.h"
 #include "xabsl/language/Lexer.h"
 #include "xabsl/tools/server/Protocol.h"
 #include "xabsl/tools/server/Server.h"

@@ -4,7 +4,8 @@
 #include <utility>
 
 #include "base/ParseJson.h"
-#include "xabsl/formats/XmlReader.h"
+#include "xabsl/formats/xml/XmlReader.h"
+#include "xabsl/language/SourceFiles.h"
 #include "xabsl/language/Text.h"
 #include "xabsl/language/Utf8.h"
 #include "xabsl/tools/server/Protocol.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "xabsl/formats/Sources.h"
+#include "xabsl/language/SourceFiles.h"
 #include "xabsl/language/Text.h"
 #include "xabsl/tools/trace/TraceFile.h"
 

@@ -1,10 +1,10 @@
-#include "xabsl/formats/XmlExpressionWriter.h"
+#include "xabsl/formats/xml/XmlExpressionWriter.h"
 
 #include <charconv>
 #include <optional>
 
-#include "xabsl/formats/Lowering.h"
 #include "xabsl/language/ExpressionAnalyzer.h"
+#include "xabsl/language/Lowering.h"
 #include "xabsl/language/ModelText.h"
 #include "xabsl/language/Operators.h"
 

@@ -1,4 +1,4 @@
-#include "xabsl/formats/EnumerationInference.h"
+#include "xabsl/formats/intermediate/EnumerationInference.h"
 
 #include <utility>
 

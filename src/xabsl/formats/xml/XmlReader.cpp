@@ -1,4 +1,4 @@
-#include "xabsl/formats/XmlReader.h"
+#include "xabsl/formats/xml/XmlReader.h"
 
 #include <libxml/encoding.h>
 #include <libxml/parser.h>
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "xabsl/formats/XmlDocument.h"
+#include "xabsl/formats/xml/XmlDocument.h"
 #include "xabsl/language/Text.h"
 #include "xabsl/language/Utf8.h"
 

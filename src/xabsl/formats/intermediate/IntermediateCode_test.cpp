@@ -1,4 +1,4 @@
-#include "xabsl/formats/IntermediateCode.h"
+#include "xabsl/formats/intermediate/IntermediateCode.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "xabsl/formats/Formatter.h"
+#include "xabsl/formats/text/Formatter.h"
 
 #include <algorithm>
 #include <utility>

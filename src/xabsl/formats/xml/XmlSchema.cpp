@@ -1,4 +1,4 @@
-#include "xabsl/formats/XmlSchema.h"
+#include "xabsl/formats/xml/XmlSchema.h"
 
 #include <libxml/xmlschemas.h>
 
@@ -8,8 +8,8 @@
 #include <tuple>
 #include <vector>
 
-#include "xabsl/formats/XmlDocument.h"
-#include "xabsl/formats/schema/SchemaFiles.h"
+#include "xabsl/formats/xml/XmlDocument.h"
+#include "xabsl/formats/xml/schema/SchemaFiles.h"
 
 namespace xabsl::xml {
 

@@ -1,13 +1,13 @@
 #include <optional>
 #include <utility>
 
-#include "xabsl/formats/IntermediateCode.h"
-#include "xabsl/formats/IntermediateCodeReader.h"
-#include "xabsl/formats/Sources.h"
+#include "xabsl/formats/intermediate/IntermediateCode.h"
+#include "xabsl/formats/intermediate/IntermediateCodeReader.h"
 #include "xabsl/language/Behavior.h"
 #include "xabsl/language/ModelText.h"
 #include "xabsl/language/Operators.h"
 #include "xabsl/language/OptionGraph.h"
+#include "xabsl/language/SourceFiles.h"
 #include "xabsl/language/Text.h"
 
 /// The part of the reader for expressions, and for what can be expressed at the end only.

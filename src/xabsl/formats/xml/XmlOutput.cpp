@@ -1,4 +1,4 @@
-#include "xabsl/formats/XmlOutput.h"
+#include "xabsl/formats/xml/XmlOutput.h"
 
 namespace xabsl::xml {
 namespace {

@@ -2,8 +2,8 @@
 #include <optional>
 #include <utility>
 
-#include "xabsl/formats/Formatter.h"
-#include "xabsl/formats/SourceWriter.h"
+#include "xabsl/formats/text/Formatter.h"
+#include "xabsl/formats/text/SourceWriter.h"
 #include "xabsl/language/Lexer.h"
 #include "xabsl/language/Operators.h"
 

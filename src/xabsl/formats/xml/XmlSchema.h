@@ -1,6 +1,6 @@
 #pragma once
 
-#include "xabsl/formats/XmlTree.h"
+#include "xabsl/formats/xml/XmlTree.h"
 #include "xabsl/language/Reporter.h"
 
 namespace xabsl::xml {

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "xabsl/formats/Sources.h"
-#include "xabsl/formats/XmlTree.h"
+#include "xabsl/formats/xml/XmlTree.h"
 #include "xabsl/language/Reporter.h"
+#include "xabsl/language/SourceFiles.h"
 
 namespace xabsl::xml {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "xabsl/formats/XmlTree.h"
+#include "xabsl/formats/xml/XmlTree.h"
 #include "xabsl/language/Reporter.h"
 #include "xabsl/language/Syntax.h"
 

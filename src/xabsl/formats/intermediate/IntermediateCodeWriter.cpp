@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "xabsl/formats/IntermediateCode.h"
-#include "xabsl/formats/Lowering.h"
+#include "xabsl/formats/intermediate/IntermediateCode.h"
+#include "xabsl/language/Lowering.h"
 #include "xabsl/language/ModelText.h"
 #include "xabsl/language/Operators.h"
 

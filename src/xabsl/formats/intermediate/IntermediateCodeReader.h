@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "xabsl/formats/EnumerationInference.h"
+#include "xabsl/formats/intermediate/EnumerationInference.h"
 #include "xabsl/language/Model.h"
 #include "xabsl/language/Reporter.h"
 

@@ -2,8 +2,8 @@
 #include <utility>
 #include <vector>
 
-#include "xabsl/formats/IntermediateCode.h"
-#include "xabsl/formats/Lowering.h"
+#include "xabsl/formats/intermediate/IntermediateCode.h"
+#include "xabsl/language/Lowering.h"
 
 namespace xabsl {
 

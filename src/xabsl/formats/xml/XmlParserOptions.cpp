@@ -2,7 +2,7 @@
 #include <charconv>
 #include <utility>
 
-#include "xabsl/formats/XmlParser.h"
+#include "xabsl/formats/xml/XmlParser.h"
 #include "xabsl/language/Operators.h"
 #include "xabsl/language/Parser.h"
 #include "xabsl/language/Text.h"

@@ -1,4 +1,4 @@
-#include "xabsl/formats/SymbolsHeader.h"
+#include "xabsl/formats/intermediate/SymbolsHeader.h"
 
 #include <algorithm>
 #include <array>

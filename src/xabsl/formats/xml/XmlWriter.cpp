@@ -2,9 +2,9 @@
 #include <filesystem>
 #include <map>
 
-#include "xabsl/formats/SourceWriter.h"
-#include "xabsl/formats/XmlExpressionWriter.h"
-#include "xabsl/formats/XmlTree.h"
+#include "xabsl/formats/text/SourceWriter.h"
+#include "xabsl/formats/xml/XmlExpressionWriter.h"
+#include "xabsl/formats/xml/XmlTree.h"
 #include "xabsl/language/ModelText.h"
 
 namespace xabsl {

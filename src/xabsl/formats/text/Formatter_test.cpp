@@ -1,4 +1,4 @@
-#include "xabsl/formats/Formatter.h"
+#include "xabsl/formats/text/Formatter.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <regex>
 #include <vector>
 
-#include "xabsl/formats/IntermediateCode.h"
+#include "xabsl/formats/intermediate/IntermediateCode.h"
 #include "xabsl/language/Lexer.h"
 #include "xabsl/tests/RandomBehavior.h"
 #include "xabsl/tests/TestBehavior.h"

@@ -1,4 +1,4 @@
-#include "xabsl/formats/Lowering.h"
+#include "xabsl/language/Lowering.h"
 
 #include <charconv>
 #include <cmath>

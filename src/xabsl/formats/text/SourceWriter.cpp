@@ -1,4 +1,4 @@
-#include "xabsl/formats/SourceWriter.h"
+#include "xabsl/formats/text/SourceWriter.h"
 
 #include <algorithm>
 #include <filesystem>

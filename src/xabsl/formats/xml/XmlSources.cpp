@@ -1,4 +1,4 @@
-#include "xabsl/formats/XmlSources.h"
+#include "xabsl/formats/xml/XmlSources.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "xabsl/formats/XmlReader.h"
+#include "xabsl/formats/xml/XmlReader.h"
 
 namespace xabsl::xml {
 

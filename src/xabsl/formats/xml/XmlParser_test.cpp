@@ -1,4 +1,4 @@
-#include "xabsl/formats/XmlParser.h"
+#include "xabsl/formats/xml/XmlParser.h"
 
 #include <gtest/gtest.h>
 

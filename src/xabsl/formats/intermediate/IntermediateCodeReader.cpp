@@ -1,4 +1,4 @@
-#include "xabsl/formats/IntermediateCodeReader.h"
+#include "xabsl/formats/intermediate/IntermediateCodeReader.h"
 
 #include <charconv>
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "xabsl/formats/XmlOutput.h"
+#include "xabsl/formats/xml/XmlOutput.h"
 #include "xabsl/language/Model.h"
 #include "xabsl/language/Reporter.h"
 #include "xabsl/language/Syntax.h"

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "xabsl/formats/XmlTree.h"
+#include "xabsl/formats/xml/XmlTree.h"
 #include "xabsl/language/Reporter.h"
 #include "xabsl/language/Syntax.h"
 
