@@ -152,6 +152,7 @@ test: PACKAGES += $(QT) xvfb xauth  # which the build looks for
 test-packages: packages
 	@scripts/install-packages $(NODE) $(TESTS)
 
+test: TARGETS = --target all benchmarks
 test: build test-packages
 	@$(CTEST) --test-dir $(BUILD)
 

@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "framework/Requests.h"
-
 namespace gt {
 
 void DebugProcess::connect(PackageSender& fromProcess, PackageLink& toProcess) {
@@ -29,14 +27,8 @@ void DebugProcess::adopt(DebugProcess& other) {
 }
 
 void DebugProcess::handleRequests() {
-  fromTools_.removeIf([this](const Message& message) {
-    if (!message.is<QueueFillRequest>()) return false;
-    QueueFillRequest wanted;
-    auto done = message.read(wanted);
-    if (done) done = request(wanted);
-    toTools_.write(now(), answerTo(message, name(), done));
-    return true;
-  });
+  Requests::carryOutAll(fromTools_, name(), *this,
+                        [this](const RequestAnswer& answer) { toTools_.write(now(), answer); });
 }
 
 int DebugProcess::main() {

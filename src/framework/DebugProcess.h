@@ -5,6 +5,7 @@
 
 #include "framework/Process.h"
 #include "framework/QueueFill.h"
+#include "framework/RequestTypes.h"
 
 namespace gt {
 
@@ -20,6 +21,7 @@ class DebugProcess : public Process {
   /// to all.
   PackageReceiver& addReceiver();
   PackageSender& sender() { return sender_; }
+  using Requests = RequestTypes<QueueFillRequest>;
   /// Fills the queue to the tools in another way; an error if the request makes no sense. Requests
   /// also come in by message.
   Result<void> request(const QueueFillRequest& request);

@@ -327,54 +327,40 @@ Result<void> ModuleProcess::configure(std::string_view task, std::string_view so
   return (*module)->configure(text, file).firstError();
 }
 
-template <typename Request>
-bool ModuleProcess::handleAs(const Message& message) {
-  if (!message.is<Request>()) return false;
-  noteForCrashReport(typeName<Request>());
-  Request wanted;
-  if (const auto done = message.read(wanted); !done)
-    answer(message, done);
-  else if (!concerns(wanted))
-    answerNotConcerned(message);
-  else
-    answer(message, request(wanted));
-  return true;
-}
-
 void ModuleProcess::send(RequestAnswer answer) {
   answer.of = answering_;
   debug_.send(answer);
 }
 
 void ModuleProcess::handle(const Message& message) {
-  handleAs<SolutionRequest>(message) || handleAs<DebugRequest>(message) ||
-      handleAs<WatchRequest>(message) || handleAs<ValueRequest>(message) ||
-      handleAs<ParameterRequest>(message) || handleAs<DescriptionRequest>(message) ||
-      handleAs<GenericDebugData>(message) || (handler_ && handler_(message)) ||
-      handlePackage(message);
+  if (auto answer = Requests::carryOut(message, name(), *this))
+    send(*std::move(answer));
+  else if (!handler_ || !handler_(message))
+    handlePackage(message);
 }
 
 /// What the process receives as a package may also come as a message: a motion request of a tool, a
 /// message of a teammate that the router brings (report 2.2.2). What its own modules provide lasts
 /// as long as none of them provides it anew, for instance while no BehaviorControl is active
 /// (report I.5.3: mr). Configuration lasts.
-bool ModuleProcess::handlePackage(const Message& message) {
+void ModuleProcess::handlePackage(const Message& message) {
   const RepresentationType* type = blackboard_.find(message.id);
-  if (!type || !type->decode) return false;
+  if (!type || !type->decode) return;
   const auto report = [&](const Result<void>& done) {
     if (!done) answer(message, done);
-    return true;
   };
   for (const auto& receiver : ownReceivers_)
-    if (&receiver->type() == type)
-      return !receiver->blocking() && report(receiver->deliverBytes(message.bytes));
+    if (&receiver->type() == type) {
+      if (!receiver->blocking()) report(receiver->deliverBytes(message.bytes));
+      return;
+    }
   const std::shared_ptr<void> package = type->make();
   const auto done = type->decode(message.bytes, package.get());
   if (done) {
     type->swap(package.get(), blackboard_.own(*type));
     if (changed_) changed_(*type);
   }
-  return report(done);
+  report(done);
 }
 
 bool ModuleProcess::isDisabled(const RepresentationType& type) const {

@@ -8,7 +8,7 @@
 #include "framework/Description.h"
 #include "framework/Layout.h"
 #include "framework/Process.h"
-#include "framework/Requests.h"
+#include "framework/RequestTypes.h"
 
 namespace gt {
 
@@ -27,6 +27,8 @@ class ModuleProcess : public Process {
   PackageSender& debugSender() { return debugSender_; }
   PackageReceiver& debugReceiver() { return debugReceiver_; }
 
+  using Requests = RequestTypes<SolutionRequest, DebugRequest, WatchRequest, ValueRequest,
+                                ParameterRequest, DescriptionRequest, GenericDebugData>;
   /// Whether a request concerns this process; see Requests.h.
   bool concerns(const SolutionRequest& request) const { return solves(request.task); }
   bool concerns(const DebugRequest& request) const { return DebugKey::find(request.key); }
@@ -88,9 +90,7 @@ class ModuleProcess : public Process {
   void answer(const Message& message, const Result<void>& done) {
     send(answerTo(message, name(), done));
   }
-  void answerNotConcerned(const Message& message) {
-    send({message.id, message.time, name(), RequestOutcome::notConcerned, {}});
-  }
+  void answerNotConcerned(const Message& message) { send(notConcerned(message, name())); }
   /// How many processes of the robot answer each request, so that tools know when all have.
   void answerAsOneOf(std::uint32_t processes) { answering_ = processes; }
 
@@ -122,7 +122,7 @@ class ModuleProcess : public Process {
   void run(Slot& slot);
   void handle(const Message& message);
   void send(RequestAnswer answer);
-  bool handlePackage(const Message& message);
+  void handlePackage(const Message& message);
   /// Sends what tools asked for and is due: all of it, or what was asked for so many times.
   void sendWatched(bool onlyTimes);
   bool provides(const RepresentationType& type) const;
@@ -130,8 +130,6 @@ class ModuleProcess : public Process {
   Result<void> setField(const RepresentationType& type, const std::string& path,
                         const std::string& value);
   void setHeld(const RepresentationType& type);
-  template <typename Request>
-  bool handleAs(const Message& message);
 
   Blackboard blackboard_;
   Debug debug_;

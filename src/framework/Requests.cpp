@@ -10,6 +10,10 @@ RequestAnswer answerTo(const Message& request, std::string process, const Result
           done ? std::string{} : done.error().text()};
 }
 
+RequestAnswer notConcerned(const Message& request, std::string process) {
+  return {request.id, request.time, std::move(process), RequestOutcome::notConcerned, {}};
+}
+
 Error concernsNobody(const SolutionRequest& request) {
   return {.field = request.task, .what = "no process solves this task"};
 }

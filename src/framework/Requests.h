@@ -23,7 +23,8 @@
 /// | another layout, another behavior | LayoutRequest, BehaviorRequest | |
 /// | how the queue to the tools is filled | QueueFillRequest | |
 ///
-/// Besides, each process answers each request by a RequestAnswer.
+/// Besides, each process answers each request by a RequestAnswer. Who carries out which of them
+/// stands in `ModuleProcess::Requests`, `DebugProcess::Requests` and `Robot::Requests`.
 namespace gt {
 
 /// What became of a request in a process.
@@ -52,6 +53,8 @@ struct RequestAnswer {
 
 /// The answer to a request that was or was not carried out.
 RequestAnswer answerTo(const Message& request, std::string process, const Result<void>& done);
+/// The answer of a process that a request does not concern.
+RequestAnswer notConcerned(const Message& request, std::string process);
 
 /// Asks a robot's processes to solve a task by another solution (report E.6).
 struct SolutionRequest {

@@ -44,6 +44,28 @@ TEST_F(MatchStateTest, ASavedMatchGoesOnWithTheSameBits) {
   }
 }
 
+TEST_F(MatchStateTest, AChallengeThatBeganAtRandomGoesOnAsItBegan) {
+  const std::string file = (folder / "match.state").string();
+  MatchOptions options;
+  options.scene = "scenes/ball-challenge.scene";
+  options.profile = "padova";
+  options.seed = 12;
+  options.randomChallenge = true;
+  auto whole = Match::make(options);
+  ASSERT_TRUE(whole) << whole.error().text();
+  const auto run = [](Match& match, std::int64_t ms) {
+    while (match.time() < Time{ms}) match.step();
+  };
+  run(**whole, 200);
+  ASSERT_TRUE((*whole)->save(file));
+  options.randomChallenge = false;
+  auto loaded = Match::load(file, options, putBall);
+  ASSERT_TRUE(loaded) << loaded.error().text();
+  run(**whole, 400);
+  run(**loaded, 400);
+  EXPECT_EQ((*loaded)->simulation().fingerprint(), (*whole)->simulation().fingerprint());
+}
+
 TEST_F(MatchStateTest, StatesThatDoNotFitAreRefused) {
   const std::string file = (folder / "match.state").string();
   const auto match = make("match", 1, 1, 0.01);

@@ -215,43 +215,33 @@ bool Robot::step(Time now) {
   bool ran = false;
   for (const auto& process : processes_) ran |= process->step(now);
   if (!debug_) return ran;
-  if (!fromTools().empty()) handleLayoutRequest(now);
-  if (!fromTools().empty()) handleSetupRequest(now);
+  handleRequests(now);
   return debug_->step(now) || ran;
 }
 
-/// The last one that came counts.
-void Robot::handleLayoutRequest(Time now) {
-  std::optional<Message> last;
-  LayoutRequest wanted;
-  Result<void> done;
-  fromTools().handleAllMessages([&](const Message& message) {
-    if (!message.is<LayoutRequest>()) return;
-    last = message;
-    done = message.read(wanted);
-  });
-  if (!last) return;
-  fromTools().removeIf([](const Message& message) { return message.is<LayoutRequest>(); });
-  if (done) {
-    const auto layout = parseLayout(wanted.text, wanted.name);
-    done = layout ? changeLayout(*layout) : Result<void>{layout.error()};
+/// What concerns the robot as a whole.
+struct Robot::Whole {
+  Result<void> request(const LayoutRequest& request) {
+    const auto layout = parseLayout(request.text, request.name);
+    return layout ? robot.changeLayout(*layout) : layout.error();
   }
-  toTools().write(now, answerTo(*last, "robot", done));
-}
+  Result<void> request(const SetupRequest&) {
+    if (!robot.setupOf_) return Error{.field = "setup", .what = "is not known of this robot"};
+    const auto setup = robot.setupOf_();
+    if (!setup) return setup.error();
+    if (!robot.toTools().write(now, *setup))
+      return Error{.field = "setup", .what = "is too large to be sent"};
+    return {};
+  }
 
-void Robot::handleSetupRequest(Time now) {
-  if (!setupOf_) return;
-  fromTools().removeIf([&](const Message& message) {
-    if (!message.is<SetupRequest>()) return false;
-    const auto setup = setupOf_();
-    Result<void> done;
-    if (!setup)
-      done = setup.error();
-    else if (!toTools().write(now, *setup))
-      done = Error{.field = "setup", .what = "is too large to be sent"};
-    toTools().write(now, answerTo(message, "robot", done));
-    return true;
-  });
+  Robot& robot;
+  Time now;
+};
+
+void Robot::handleRequests(Time now) {
+  Whole whole{*this, now};
+  Requests::carryOutAll(fromTools(), "robot", whole,
+                        [&](const RequestAnswer& answer) { toTools().write(now, answer); });
 }
 
 /// What the framework does not know but some part of the configuration does.
@@ -265,8 +255,7 @@ bool Robot::handle(const Message& message, ModuleProcess& process) const {
 }
 
 void Robot::answer() {
-  handleLayoutRequest(processes_.front()->now());
-  handleSetupRequest(processes_.front()->now());
+  handleRequests(processes_.front()->now());
   debug_->handleRequests();
   for (const auto& process : processes_) process->carryOut(fromTools(), toTools());
   fromTools().clear();

@@ -80,8 +80,9 @@ class Robot {
   /// calls it may name any file.
   Result<void> request(const BehaviorRequest& request);
 
+  using Requests = RequestTypes<LayoutRequest, SetupRequest>;
   /// Gives each process, in the order of the layout, the chance to run once. Then carries out or
-  /// refuses a LayoutRequest of the tools. Returns whether a process ran.
+  /// refuses what the tools ask of the robot as a whole. Returns whether a process ran.
   bool step(Time now);
   /// Carries out at once, between two steps, what the tools have sent; the answers are in
   /// `toTools`.
@@ -142,8 +143,8 @@ class Robot {
   ModuleProcess* holderOf(std::string_view representation) const;
   const void* provided(const RepresentationType& type) const;
 
-  void handleLayoutRequest(Time now);
-  void handleSetupRequest(Time now);
+  struct Whole;
+  void handleRequests(Time now);
   bool handle(const Message& message, ModuleProcess& process) const;
 
   RobotSetup setup_;

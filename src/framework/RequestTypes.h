@@ -1,0 +1,54 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "base/CrashNotes.h"
+#include "framework/Requests.h"
+
+namespace gt {
+
+/// The types of requests that a part of a robot carries out: `ModuleProcess`, `DebugProcess` and
+/// `Robot` have one list each. A part has a function `request(wanted)` for each type of its list;
+/// `concerns(wanted)` beside it says which requests of that type are its own.
+template <typename... Request>
+struct RequestTypes {
+  static bool include(const Message& message) { return (message.is<Request>() || ...); }
+
+  /// Has a part carry out a message. Returns the answer in the name of a process, or nothing if the
+  /// message is no such request.
+  template <typename Part>
+  static std::optional<RequestAnswer> carryOut(const Message& message, const std::string& process,
+                                               Part& part) {
+    std::optional<RequestAnswer> answer;
+    static_cast<void>(((message.is<Request>() &&
+                        (answer = carryOutAs<Request>(message, process, part)).has_value()) ||
+                       ...));
+    return answer;
+  }
+
+  /// Takes all such requests out of the tools' messages and has a part carry them out, the oldest
+  /// first. `answer(RequestAnswer)` is called after each. The part may replace the queue meanwhile.
+  template <typename Part, typename Answer>
+  static void carryOutAll(MessageQueue& fromTools, const std::string& process, Part& part,
+                          Answer answer) {
+    if (fromTools.empty()) return;
+    MessageQueue taken{fromTools.size()};
+    fromTools.removeIf(
+        [&](const Message& message) { return include(message) && taken.append(message); });
+    taken.handleAllMessages(
+        [&](const Message& message) { answer(*carryOut(message, process, part)); });
+  }
+
+ private:
+  template <typename Wanted, typename Part>
+  static RequestAnswer carryOutAs(const Message& message, const std::string& process, Part& part) {
+    noteForCrashReport(typeName<Wanted>());
+    Wanted wanted;
+    if (const auto done = message.read(wanted); !done) return answerTo(message, process, done);
+    if constexpr (requires { part.concerns(wanted); })
+      if (!part.concerns(wanted)) return notConcerned(message, process);
+    return answerTo(message, process, part.request(wanted));
+  }
+};
+
+}  // namespace gt
