@@ -33,10 +33,12 @@ Findings printWarnings(const Session& session) {
   return all;
 }
 
-/// Prints the invariants that did not hold, if they were checked. Returns whether one is an error.
+/// Prints which invariants did not hold, or that all did. Returns whether one is an error.
 bool printBroken(const Match& match) {
+  const std::vector<BrokenInvariant> all = match.summary().broken;
+  if (all.empty()) fmt::print("All invariants held\n");
   bool failed = false;
-  for (const BrokenInvariant& broken : match.summary().broken) {
+  for (const BrokenInvariant& broken : all) {
     failed |= broken.severity == Severity::error;
     fmt::print(stderr, "simgt: {:.3f} to {:.3f} s: {}{}: {}: {}\n", broken.time.ms / 1000.,
                broken.until.ms / 1000.,
@@ -150,7 +152,7 @@ Result<int> play(PlayOptions options) {
   }
   if (!played || !done) return played ? done.error() : played.error();
   const Findings warnings = printWarnings(session);
-  const bool broken = printBroken(match);
+  const bool broken = options.match.check && printBroken(match);
   if (interrupted || signals.received() == SIGPIPE) return signals.status();
   return broken || warnings.fail(options.strict) ? 1 : 0;
 }

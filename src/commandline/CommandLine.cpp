@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -26,6 +27,22 @@ std::string rootOptionOf(int argc, char** argv) {
     if (argument.starts_with(withValue)) return std::string{argument.substr(withValue.size())};
   }
   return "";
+}
+
+/// Refuses what the library takes for a number: no number, and a negative one where none can be
+/// (which it wraps around).
+void checkNumbers(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& text : option->results()) {
+      const std::string type = option->get_type_name();
+      double number = 0;
+      if (type.starts_with("FLOAT") && CLI::detail::lexical_cast(text, number) &&
+          !std::isfinite(number))
+        throw CLI::ValidationError{option->get_name(), text + " is no number"};
+      if (type.starts_with("UINT") && text.starts_with('-'))
+        throw CLI::ValidationError{option->get_name(), text + " is less than 0"};
+    }
+  for (const CLI::App* command : app.get_subcommands()) checkNumbers(*command);
 }
 
 }  // namespace
@@ -60,8 +77,9 @@ int CommandLine::perform(const Action& action) {
   if (action && !app_.get_subcommands({}).empty()) app_.require_subcommand(0, 1);
   try {
     app_.parse(argc_, argv_);
+    checkNumbers(app_);
   } catch (const CLI::ParseError& error) {
-    return app_.exit(error) == 0 ? 0 : wrongInput;
+    return error.get_exit_code() == 0 ? app_.exit(error) : fail(error.what());
   }
   if (root_ && !*root_) return fail(root_->error().text());
   // A file that grows beyond its limit is an error of who writes it.

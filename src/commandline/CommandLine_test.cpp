@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -60,6 +61,41 @@ TEST(CommandLine, AnErrorIsOneLineAndStatus2) {
                 }),
             2);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "program: file:3: field: is wrong\n");
+}
+
+TEST(CommandLine, WhatIsWrongInALineIsOneLineAndStatus2) {
+  const auto refusal = [](std::vector<std::string> words) {
+    Arguments arguments{std::move(words)};
+    CommandLine line{arguments.count(), arguments.values(), "A program"};
+    double number = 0;
+    std::vector<double> numbers;
+    unsigned count = 0;
+    bool flag = false;
+    const auto addTo = [&](CLI::App& app) {
+      app.add_option("--number", number)->check(CLI::Range(0., 1.));
+      app.add_option("--numbers", numbers);
+      app.add_option("--count", count);
+      app.add_flag("--flag", flag);
+    };
+    addTo(line.app());
+    addTo(line.command("do", "Does it", [] { return 0; }));
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(line.run([] { return 0; }), 2);
+    const std::string text = testing::internal::GetCapturedStderr();
+    EXPECT_EQ(std::ranges::count(text, '\n'), 1) << text;
+    EXPECT_TRUE(text.starts_with("program: ")) << text;
+    return text;
+  };
+  EXPECT_THAT(refusal({"--flagg"}), HasSubstr("--flagg"));
+  EXPECT_THAT(refusal({"--flag=maybe"}), HasSubstr("--flag = maybe"));
+  EXPECT_THAT(refusal({"--number", "two"}), HasSubstr("--number: Value two"));
+  for (const std::string text : {"nan", "-nan", "inf"}) {
+    EXPECT_THAT(refusal({"--number=" + text}), HasSubstr("--number: "));
+    EXPECT_THAT(refusal({"do", "--number=" + text}), HasSubstr("--number: "));
+    EXPECT_THAT(refusal({"do", "--numbers", "1", text}), HasSubstr(text + " is no number"));
+  }
+  EXPECT_THAT(refusal({"--count=-1"}), HasSubstr("--count: -1 is less than 0"));
+  EXPECT_THAT(refusal({"do", "--count", "-1"}), HasSubstr("--count: -1 is less than 0"));
 }
 
 TEST(CommandLine, ExceptionsOfTheSystemAreOneLineAndStatus2) {

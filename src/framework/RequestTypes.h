@@ -8,11 +8,12 @@
 namespace gt {
 
 /// The types of requests that a part of a robot carries out: `ModuleProcess`, `DebugProcess` and
-/// `Robot` have one list each. A part has a function `request(wanted)` for each type of its list;
-/// `concerns(wanted)` beside it says which requests of that type are its own.
+/// `Robot` have one list each (`Requests`). The part, for a robot `Robot::Whole`, has a function
+/// `request(wanted)` for each type of its list. A `concerns(wanted)` beside it says which requests
+/// of that type are its own; without one, all are.
 template <typename... Request>
 struct RequestTypes {
-  static bool include(const Message& message) { return (message.is<Request>() || ...); }
+  static bool contains(const Message& message) { return (message.is<Request>() || ...); }
 
   /// Has a part carry out a message. Returns the answer in the name of a process, or nothing if the
   /// message is no such request.
@@ -31,10 +32,12 @@ struct RequestTypes {
   template <typename Part, typename Answer>
   static void carryOutAll(MessageQueue& fromTools, const std::string& process, Part& part,
                           Answer answer) {
-    if (fromTools.empty()) return;
+    bool any = false;
+    fromTools.handleAllMessages([&](const Message& message) { any |= contains(message); });
+    if (!any) return;
     MessageQueue taken{fromTools.size()};
     fromTools.removeIf(
-        [&](const Message& message) { return include(message) && taken.append(message); });
+        [&](const Message& message) { return contains(message) && taken.append(message); });
     taken.handleAllMessages(
         [&](const Message& message) { answer(*carryOut(message, process, part)); });
   }

@@ -24,7 +24,8 @@
 /// | how the queue to the tools is filled | QueueFillRequest | |
 ///
 /// Besides, each process answers each request by a RequestAnswer. Who carries out which of them
-/// stands in `ModuleProcess::Requests`, `DebugProcess::Requests` and `Robot::Requests`.
+/// stands in `ModuleProcess::Requests`, `DebugProcess::Requests` and `Robot::Requests`; a
+/// BehaviorRequest, in the ConfigurationPart of the behavior.
 namespace gt {
 
 /// What became of a request in a process.

@@ -2,27 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <span>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 #include "match/SimulatedRobot.h"
 #include "representations/infrastructure/RobotFootprint.h"
 #include "simulation/world/Oracle.h"
+#include "streams/Type.h"
 
 namespace gt {
 namespace {
 
-/// What has not held for so long is over.
-constexpr std::int64_t pause = 1000;  // ms
-/// By which bodies that touch give (mm).
-constexpr double deepest = 20;
-constexpr double farthestOff = 1000;   // mm
-constexpr std::int64_t oldest = 100;   // ms: a message when it is sent, its maker's cycle
-constexpr std::int64_t second = 1000;  // ms
-constexpr std::int64_t idle = 500;     // ms, of a process
-constexpr double wallThickness = 200;  // mm
+/// What has held again for longer than this is another break (ms).
+constexpr std::int64_t pause = 1000;
+/// By so much bodies that touch give (mm).
+constexpr double deepestTouch = 20;
+/// A robot that believes to be farther from where it is, is lost (mm).
+constexpr double farthestOff = 1000;
+/// So old is a message at most when it is sent: its maker's cycle (ms).
+constexpr double longestCycle = 100;
+/// A process that has not run for longer stands (ms).
+constexpr std::int64_t longestIdle = 500;
 
 /// How far the footprints of two robots overlap (mm); below 0, how far they are apart.
 double overlapOf(const Pose2D& a, const Pose2D& b) {
@@ -38,20 +40,24 @@ std::string millimeters(double value) {
   return std::to_string(std::llround(value)) + " mm";
 }
 
-bool areFinite(std::span<const double> values) {
-  // One that is not makes the sum so, too.
-  return std::isfinite(std::accumulate(values.begin(), values.end(), 0.0));
-}
-
-bool isFinite(const Pose2D& pose) {
-  return std::isfinite(pose.rotation + pose.translation.sum());
+/// Half of the rectangle that the outer walls surround, from the middle (mm): of all that stands
+/// still, nothing stands farther outside.
+Vector2d outerWalls(const mjModel& model, const mjData& data) {
+  Vector2d walls = Vector2d::Zero();
+  for (int geom = 0; geom < model.ngeom; ++geom)
+    if (model.geom_type[geom] == mjGEOM_BOX && model.geom_contype[geom] != 0 &&
+        model.body_weldid[model.geom_bodyid[geom]] == 0)
+      walls = walls.cwiseMax(fromMuJoCo(data.geom_xpos + 3 * geom).head<2>().cwiseAbs());
+  return walls;
 }
 
 }  // namespace
 
-Invariants::Invariants(const Simulation& simulation, const std::vector<MatchRobot*>& robots,
-                       const FieldDimensions& field)
-    : simulation_{simulation}, robots_{robots}, field_{field} {}
+Invariants::Invariants(const Simulation& simulation, const std::vector<MatchRobot*>& robots)
+    : simulation_{simulation},
+      robots_{robots},
+      walls_{outerWalls(simulation.world().model(), simulation.world().data())},
+      divergences_{simulation.world().divergences()} {}
 
 void Invariants::update() {
   checkApart();
@@ -59,7 +65,7 @@ void Invariants::update() {
   checkFinite();
   checkBelieved();
   checkRadio();
-  if (simulation_.time().ms % second == 0) checkPrograms();
+  checkPrograms();
 }
 
 void Invariants::note(std::string_view invariant, const std::string& who, double amount,
@@ -95,7 +101,7 @@ void Invariants::checkApart() {
   const World& world = simulation_.world();
   const auto names = simulation_.scene().allRobots();
   const auto check = [&](std::size_t a, std::size_t b, double depth) {
-    if (depth > deepest)
+    if (depth > deepestTouch)
       note("apart", names[a]->name, depth, millimeters(depth) + " inside " + names[b]->name);
   };
   if (simulation_.scene().fidelity == Fidelity::dynamic) {
@@ -123,9 +129,7 @@ void Invariants::checkCarpet() {
   const World& world = simulation_.world();
   const auto names = simulation_.scene().allRobots();
   const auto check = [&](const std::string& who, const Vector2d& place) {
-    const double beyond =
-        std::max(std::abs(place.x()) - field_.xGoalBack, std::abs(place.y()) - field_.ySideline) -
-        wallThickness;
+    const double beyond = (place.cwiseAbs() - walls_).maxCoeff();
     if (beyond > 0) note("carpet", who, beyond, millimeters(beyond) + " outside");
   };
   for (std::size_t i = 0; i < world.robotCount(); ++i)
@@ -135,20 +139,25 @@ void Invariants::checkCarpet() {
 }
 
 void Invariants::checkFinite() {
-  const mjModel& model = simulation_.world().model();
-  const mjData& data = simulation_.world().data();
-  if (!areFinite({data.qpos, static_cast<std::size_t>(model.nq)}) ||
-      !areFinite({data.qvel, static_cast<std::size_t>(model.nv)}))
-    note("finite", "world", 0, "where things are is no number");
+  const std::int64_t divergences = simulation_.world().divergences();
+  if (divergences != std::exchange(divergences_, divergences))
+    note("finite", "world", 0, "the physics diverged, and was put back");
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    const std::string& name = simulation_.scene().robots[i].name;
+    const auto check = [&]<typename T>(const T& value) {
+      if (const auto done = finite(valueOf(value)); !done)
+        note("finite", simulation_.scene().robots[i].name, 0,
+             std::string{typeName<T>()} + "." + done.error().text());
+    };
+    const auto look = [&](const auto& given) {
+      if constexpr (!requires { *given; })
+        check(given);
+      else if (given)
+        check(*given);
+    };
     const RobotOutput& output = simulation_.output(i);
-    if (!areFinite(output.joints.angles.values) || !isFinite(output.odometry.pose))
-      note("finite", name, 0, "a command is no number");
     const Belief& belief = robots_[i]->belief();
-    if ((belief.pose && !isFinite(belief.pose->pose)) ||
-        (belief.ball && !std::isfinite(belief.ball->position.sum())))
-      note("finite", name, 0, "a belief is no number");
+    std::apply([&](auto... commands) { (look(output.*commands), ...); }, RobotOutput::commands());
+    std::apply([&](auto... parts) { (look(belief.*parts), ...); }, Belief::parts());
   }
 }
 
@@ -176,8 +185,10 @@ void Invariants::checkRadio() {
     for (const TeamMessages::Received& received : simulation_.input(i).team.byPlayer) {
       if (received.timeReceived == never() || now - received.timeReceived != tickMs) continue;
       const auto delay = static_cast<double>(received.timeReceived - received.message.timeSent);
-      if (delay < radio.delayMin || delay > radio.delayMax + static_cast<double>(oldest))
-        note("radio", simulation_.scene().robots[i].name, std::abs(delay - radio.delayMin),
+      const double outside =
+          std::max(radio.delayMin - delay, delay - radio.delayMax - longestCycle);
+      if (outside > 0)
+        note("radio", simulation_.scene().robots[i].name, outside,
              "a message took " + std::to_string(std::llround(delay)) + " ms");
     }
 }
@@ -188,7 +199,7 @@ void Invariants::checkPrograms() {
     const auto* robot = dynamic_cast<const SimulatedRobot*>(robots_[i]);
     if (!robot) continue;
     for (const auto& process : robot->robot().processes())
-      if (const auto since = simulation_.time() - process->now(); since > idle)
+      if (const auto since = simulation_.time() - process->now(); since > longestIdle)
         note("running", robot->name(), static_cast<double>(since),
              "process " + process->name() + " has not run for " + std::to_string(since) + " ms");
     const auto look = [&]<typename T>(std::type_identity<T>) {

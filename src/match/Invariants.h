@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -7,13 +8,12 @@
 
 #include "match/MatchRobot.h"
 #include "match/MatchSummary.h"
-#include "representations/infrastructure/FieldDimensions.h"
 #include "simulation/Simulation.h"
 
 namespace gt {
 
-/// What always holds in a match, whoever plays: what does not is a fault of the simulator, or of a
-/// robot's program, and no matter of how well it plays.
+/// What always holds in a match: what does not is a fault of the simulator, or of a robot's program,
+/// and no matter of how well it plays.
 struct Invariant {
   std::string_view name;
   Severity severity = Severity::error;
@@ -37,13 +37,12 @@ inline constexpr std::array invariants{
 class Invariants {
  public:
   /// The robots are those of the simulation, in its order; both must outlive it.
-  Invariants(const Simulation& simulation, const std::vector<MatchRobot*>& robots,
-             const FieldDimensions& field);
+  Invariants(const Simulation& simulation, const std::vector<MatchRobot*>& robots);
 
   /// To be called after each tick.
   void update();
-  /// In the order in which they began; those that did not last for longer than patience are left
-  /// out.
+  /// In the order in which they began; those that were over before their invariant's patience was
+  /// are left out.
   std::vector<BrokenInvariant> broken() const;
 
  private:
@@ -67,7 +66,8 @@ class Invariants {
 
   const Simulation& simulation_;
   const std::vector<MatchRobot*>& robots_;
-  FieldDimensions field_;
+  Vector2d walls_ = Vector2d::Zero();  ///< Of the outer walls, from the middle (mm).
+  std::int64_t divergences_ = 0;
   std::vector<Break> breaks_;
 };
 

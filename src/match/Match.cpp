@@ -73,8 +73,7 @@ Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
   match->statistics_ = std::make_unique<MatchStatistics>(*match->simulation_, match->allRobots_,
                                                          match->kicks(), field);
   if (options.check)
-    match->invariants_ =
-        std::make_unique<Invariants>(*match->simulation_, match->allRobots_, field);
+    match->invariants_ = std::make_unique<Invariants>(*match->simulation_, match->allRobots_);
   match->images_ =
       std::make_unique<ReportImages>(options.images, scene->game.minutes, match->robots_);
   if (!options.logs.empty())

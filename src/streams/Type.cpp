@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <type_traits>
@@ -112,6 +113,19 @@ Result<void> checked(ConstValue value) {
   const std::string_view validationError =
       type.validationError ? type.validationError(value.data()) : std::string_view{};
   if (!validationError.empty()) return valueError(std::string(validationError));
+  return {};
+}
+
+Result<void> finite(ConstValue value) {
+  const Type& type = value.type();
+  if (type.kind == Kind::number && !std::isfinite(asDouble(value)))
+    return Error{.what = "is no number"};
+  if (type.kind == Kind::array || type.kind == Kind::list)
+    for (std::size_t i = 0; i < value.size(); ++i)
+      if (auto done = finite(value.element(i)); !done)
+        return inPart(std::to_string(i), done.error());
+  for (const Part& p : type.parts)
+    if (auto done = finite(value.part(p)); !done) return inPart(p.name, done.error());
   return {};
 }
 

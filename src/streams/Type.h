@@ -191,6 +191,9 @@ Result<void> setScalar(Value scalar, std::string_view text, Range range = {});
 /// field is the path.
 Result<void> checked(ConstValue value);
 
+/// Whether all numbers in a value are finite; the error's field is the path of one that is not.
+Result<void> finite(ConstValue value);
+
 /// Reads and writes the number of an enumeration's value, or 0 and 1 of a boolean.
 std::int64_t ordinal(ConstValue scalar);
 void setOrdinal(Value scalar, std::int64_t number);

@@ -2,7 +2,6 @@
 #include <optional>
 #include <string>
 #include <tuple>
-#include <type_traits>
 
 #include "framework/Package.h"
 #include "representations/behavior/LedRequest.h"
@@ -44,7 +43,7 @@ struct RobotInput {
   /// Hands over the packages of this tick in their order, take(package); those of an image only if
   /// there is one and it is wanted.
   template <typename Take>
-  void forEach(Take&& take, bool withPicture = true) const;
+  void forEach(Take&& take, bool withImage = true) const;
 };
 
 /// What a robot gives to its body. It stays as it is until a cycle changes it; `message` and
@@ -56,7 +55,7 @@ struct RobotOutput {
   JointGains gains{};
   Speaker speaker{};
   /// The special action that is performed, or none: in the kinematic fidelity kicks play the ball
-  /// as their table says.
+  /// as their table says. No body takes it, so it is in no list.
   std::string specialAction{};
   std::optional<TeamMessage> message;
   std::optional<CameraSettings> camera;  ///< If the camera shall be set in another way.
@@ -66,7 +65,7 @@ struct RobotOutput {
                       &RobotOutput::gains,  &RobotOutput::speaker,  &RobotOutput::message,
                       &RobotOutput::camera};
   }
-  /// Visits each command, visit(command); those that are not given in each cycle are optional.
+  /// Visits each command, visit(command); those that not each cycle gives are optional.
   template <typename Visit>
   void forEach(Visit&& visit) {
     std::apply([&](auto... commands) { (visit(this->*commands), ...); }, commands());
@@ -94,21 +93,21 @@ struct Belief {
 namespace detail {
 
 template <typename T>
-struct Package {
+struct PackageType {
   using Type = T;
 };
 template <typename T>
-struct Package<const T*> {
+struct PackageType<const T*> {
   using Type = T;
 };
 template <typename T>
-struct Package<std::optional<T>> {
+struct PackageType<std::optional<T>> {
   using Type = T;
 };
 template <typename Member>
 struct PackageOfMember;
 template <typename Body, typename T>
-struct PackageOfMember<T Body::*> : Package<T> {};
+struct PackageOfMember<T Body::*> : PackageType<T> {};
 
 template <typename T>
 const T& packageIn(const T& value) {
@@ -155,10 +154,10 @@ struct ReceivedPackage {
 };
 
 template <typename Take>
-void RobotInput::forEach(Take&& take, bool withPicture) const {
+void RobotInput::forEach(Take&& take, bool withImage) const {
   const auto all = [&](auto... members) { (take(detail::packageIn(this->*members)), ...); };
   std::apply(all, eachTick());
-  if (image && withPicture) std::apply(all, eachImage());
+  if (image && withImage) std::apply(all, eachImage());
 }
 
 }  // namespace gt

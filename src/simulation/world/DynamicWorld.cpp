@@ -460,6 +460,7 @@ void DynamicWorld::undoIfBroken() {
     broken |= data_->warning[warning].number > 0;
     data_->warning[warning].number = 0;
   }
+  divergences_ += broken;
   if (broken && goodPositions_.size() == coordinates) {
     std::copy_n(goodPositions_.begin(), coordinates, data_->qpos);
     std::fill_n(data_->qvel, model_->nv, 0);

@@ -134,6 +134,8 @@ class World {
   std::span<const Put> puts() const { return puts_; }
   /// How often something was put.
   std::size_t putCount() const { return putCount_; }
+  /// How often the physics' numbers diverged; each time all went on from where it last was.
+  std::int64_t divergences() const { return divergences_; }
   /// Whether a ball would touch a robot at a place (mm).
   bool wouldTouch(std::size_t ball, const Vector2d& place, std::size_t robot);
   /// Pushes a robot's body during the next tick, with a force (N, along the field's axes) at a
@@ -188,6 +190,7 @@ class World {
   std::vector<BallState> balls_;
   std::vector<bool> placed_;  ///< By hand since the last tick: no speed follows from that.
   std::vector<bool> placedBalls_;
+  std::int64_t divergences_ = 0;
 
  private:
   void put(const Put& put);
