@@ -24,11 +24,12 @@ struct Range {
 struct Sentence {
   consteval Sentence() = default;
   // NOLINTNEXTLINE(google-explicit-constructor): a text is meant to become a sentence.
-  consteval Sentence(const char* words) : text{words} {
+  consteval Sentence(const char* words) : text{words, __builtin_strlen(words)} {
     if (text.empty() || text.front() == ' ' || text.back() == ' ') throw "a sentence without words";
     for (const std::string_view leaning : {"likewise", "the same", "ditto", "as above", "as before",
                                            "if it does", "of its ", "of it ", "its "})
-      if (text.starts_with(leaning)) throw "a sentence that leans on another field's";
+      if (text.front() == leaning.front() && text.starts_with(leaning))
+        throw "a sentence that leans on another field's";
   }
 
   std::string_view text;
@@ -49,38 +50,45 @@ struct Field {
 
 /// The name of a member that a pointer points to, without the underscore of a private one.
 template <auto member>
-constexpr std::string_view memberName() {
-  constexpr std::string_view s = __PRETTY_FUNCTION__;
-  constexpr auto end = s.find_first_of(";]", s.find("member = "));
-  constexpr auto begin = s.rfind(':', end) + 1;
+constexpr auto memberName() {
+  // The compiler's text ends with it, in front of a bracket. Written so that it costs the compiler
+  // little: there are more than a thousand.
+  constexpr std::string_view s{__PRETTY_FUNCTION__, sizeof __PRETTY_FUNCTION__ - 1};
+  const std::size_t end = s.size() - 1;
+  std::size_t begin = end;
+  while (s[begin - 1] != ':') --begin;
   return s.substr(begin, end - begin - (s[end - 1] == '_' ? 1 : 0));
 }
 
 namespace detail {
-template <auto member, typename C, typename T>
-constexpr Field<C, T> fieldOf(T C::*, Unit unit, Sentence doc, Range range) {
-  return {memberName<member>(), member, unitText(unit), doc.text, range};
-}
+template <typename Member>
+struct FieldOfMember;
+template <typename Class, typename T>
+struct FieldOfMember<T Class::*> {
+  using Type = Field<Class, T>;
+};
 }  // namespace detail
+template <auto member>
+using FieldOf = typename detail::FieldOfMember<decltype(member)>::Type;
 
 /// Declares a field in a struct's `fields()`; from that one list come all streams, schemas, JSON
 /// and live parameters.
 template <auto member>
-constexpr auto field(Unit unit, Sentence doc, Range range = {}) {
-  return detail::fieldOf<member>(member, unit, doc, range);
+constexpr FieldOf<member> field(Unit unit, Sentence doc, Range range = {}) {
+  return {memberName<member>(), member, unitText(unit), doc.text, range};
 }
 template <auto member>
-constexpr auto field(Sentence doc, Range range = {}) {
-  return field<member>(Unit::none, doc, range);
+constexpr FieldOf<member> field(Sentence doc, Range range = {}) {
+  return {memberName<member>(), member, "", doc.text, range};
 }
 /// For a name that says all.
 template <auto member>
-constexpr auto field(Unit unit, Range range = {}) {
-  return field<member>(unit, Sentence{}, range);
+constexpr FieldOf<member> field(Unit unit, Range range = {}) {
+  return {memberName<member>(), member, unitText(unit), "", range};
 }
 template <auto member>
-constexpr auto field(Range range = {}) {
-  return field<member>(Unit::none, Sentence{}, range);
+constexpr FieldOf<member> field(Range range = {}) {
+  return {memberName<member>(), member, "", "", range};
 }
 
 namespace detail {
