@@ -19,7 +19,7 @@ using Leaning = Eigen::Matrix<double, 1, 3>;  ///< Height, tilt, roll beside tho
 struct PostureFile {
   PostureModel::Parameters posture;
 
-  static constexpr auto fields() { return Fields{field("posture", &PostureFile::posture)}; }
+  static constexpr auto fields() { return Fields{field<&PostureFile::posture>()}; }
 };
 
 /// Sums for least squares.

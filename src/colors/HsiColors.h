@@ -35,9 +35,9 @@ struct HsiRange {
   friend bool operator==(const HsiRange&, const HsiRange&) = default;
 
   static constexpr auto fields() {
-    return Fields{field("hue", &HsiRange::hue, "deg", "minimum and maximum, on a circle", {0, 360}),
-                  field("saturation", &HsiRange::saturation, "%", "minimum and maximum", {0, 100}),
-                  field("intensity", &HsiRange::intensity, "%", "minimum and maximum", {0, 100})};
+    return Fields{field<&HsiRange::hue>(Unit::deg, "minimum and maximum, on a circle", {0, 360}),
+                  field<&HsiRange::saturation>(Unit::percent, "minimum and maximum", {0, 100}),
+                  field<&HsiRange::intensity>(Unit::percent, "minimum and maximum", {0, 100})};
   }
 };
 
@@ -53,7 +53,7 @@ struct HsiColors {
   friend bool operator==(const HsiColors& a, const HsiColors& b) {
     return a.ranges.values == b.ranges.values;
   }
-  static constexpr auto fields() { return Fields{field("ranges", &HsiColors::ranges)}; }
+  static constexpr auto fields() { return Fields{field<&HsiColors::ranges>()}; }
 };
 
 /// Reads the text of a `.hsi` file: for each class a section [CLASS] with lines `hue MIN MAX`,

@@ -36,12 +36,11 @@ struct TslThresholds {
   friend bool operator==(const TslThresholds&, const TslThresholds&) = default;
 
   static constexpr auto fields() {
-    return Fields{
-        field("priority", &TslThresholds::priority, "",
-              "where classes overlap, the one with the smallest number counts", {0, 1000}),
-        field("tint", &TslThresholds::tint, "", "minimum and maximum, on a circle", {0, 255}),
-        field("saturation", &TslThresholds::saturation, "", "minimum and maximum", {0, 255}),
-        field("luminance", &TslThresholds::luminance, "", "minimum and maximum", {0, 255})};
+    return Fields{field<&TslThresholds::priority>(
+                      "where classes overlap, the one with the smallest number counts", {0, 1000}),
+                  field<&TslThresholds::tint>("minimum and maximum, on a circle", {0, 255}),
+                  field<&TslThresholds::saturation>("minimum and maximum", {0, 255}),
+                  field<&TslThresholds::luminance>("minimum and maximum", {0, 255})};
   }
 };
 
@@ -65,7 +64,7 @@ struct TslColors {
   friend bool operator==(const TslColors& a, const TslColors& b) {
     return a.classes.values == b.classes.values;
   }
-  static constexpr auto fields() { return Fields{field("classes", &TslColors::classes)}; }
+  static constexpr auto fields() { return Fields{field<&TslColors::classes>()}; }
 
  private:
   void move(ColorClass colorClass, int places);

@@ -15,8 +15,8 @@ struct Color {
   std::uint8_t r = 0, g = 0, b = 0, a = 255;
 
   static constexpr auto fields() {
-    return Fields{field("r", &Color::r), field("g", &Color::g), field("b", &Color::b),
-                  field("a", &Color::a, "", "255 is opaque")};
+    return Fields{field<&Color::r>(), field<&Color::g>(), field<&Color::b>(),
+                  field<&Color::a>("255 is opaque")};
   }
 };
 
@@ -55,14 +55,14 @@ struct DrawingElement {
   PenStyle penStyle = PenStyle::solid;
 
   static constexpr auto fields() {
-    return Fields{field("type", &DrawingElement::type),
-                  field("points", &DrawingElement::points, "mm or pixel"),
-                  field("size", &DrawingElement::size, "mm or pixel",
-                        "radius of circles, disks and points, height of text"),
-                  field("color", &DrawingElement::color),
-                  field("penWidth", &DrawingElement::penWidth, "pixel"),
-                  field("text", &DrawingElement::text),
-                  field("penStyle", &DrawingElement::penStyle, "", "of lines")};
+    return Fields{field<&DrawingElement::type>(),
+                  field<&DrawingElement::points>(Unit::mmOrPixel),
+                  field<&DrawingElement::size>(
+                      Unit::mmOrPixel, "radius of circles, disks and points, height of text"),
+                  field<&DrawingElement::color>(),
+                  field<&DrawingElement::penWidth>(Unit::pixel),
+                  field<&DrawingElement::text>(),
+                  field<&DrawingElement::penStyle>("of lines")};
   }
 };
 
@@ -73,8 +73,7 @@ struct Drawing {
   std::vector<DrawingElement> elements;
 
   static constexpr auto fields() {
-    return Fields{field("key", &Drawing::key), field("space", &Drawing::space),
-                  field("elements", &Drawing::elements)};
+    return Fields{field<&Drawing::key>(), field<&Drawing::space>(), field<&Drawing::elements>()};
   }
 };
 
@@ -83,9 +82,7 @@ struct Plot {
   std::string key;
   double value = 0;
 
-  static constexpr auto fields() {
-    return Fields{field("key", &Plot::key), field("value", &Plot::value)};
-  }
+  static constexpr auto fields() { return Fields{field<&Plot::key>(), field<&Plot::value>()}; }
 };
 
 /// Numbers for a module (report E.2): to try things out quickly. They become its parameters, in the
@@ -95,9 +92,9 @@ struct GenericDebugData {
   std::vector<double> data;
 
   static constexpr auto fields() {
-    return Fields{field("id", &GenericDebugData::id, "",
-                        "TASK or TASK.SOLUTION; without the latter, the solution that runs"),
-                  field("data", &GenericDebugData::data)};
+    return Fields{field<&GenericDebugData::id>(
+                      "TASK or TASK.SOLUTION; without the latter, the solution that runs"),
+                  field<&GenericDebugData::data>()};
   }
 };
 
@@ -107,8 +104,8 @@ struct StopwatchTime {
   double microseconds = 0;
 
   static constexpr auto fields() {
-    return Fields{field("event", &StopwatchTime::event, "", "a task, or what the module says"),
-                  field("microseconds", &StopwatchTime::microseconds, "us")};
+    return Fields{field<&StopwatchTime::event>("a task, or what the module says"),
+                  field<&StopwatchTime::microseconds>(Unit::us)};
   }
 };
 
@@ -117,9 +114,7 @@ struct Text {
   std::string text;
   Severity severity = Severity::note;
 
-  static constexpr auto fields() {
-    return Fields{field("text", &Text::text), field("severity", &Text::severity)};
-  }
+  static constexpr auto fields() { return Fields{field<&Text::text>(), field<&Text::severity>()}; }
 };
 
 }  // namespace gt

@@ -40,11 +40,10 @@ struct Stopwatch {
   };
 
   static constexpr auto fields() {
-    return Fields{field("name", &Stopwatch::name, "", "the task or piece of work"),
-                  field("count", &Stopwatch::count, "", "how many times it was done"),
-                  field("totalMs", &Stopwatch::totalMs, "ms"),
-                  field("lastMs", &Stopwatch::lastMs, "ms"),
-                  field("longestMs", &Stopwatch::longestMs, "ms")};
+    return Fields{field<&Stopwatch::name>("the task or piece of work"),
+                  field<&Stopwatch::count>("how many times it was done"),
+                  field<&Stopwatch::totalMs>(Unit::ms), field<&Stopwatch::lastMs>(Unit::ms),
+                  field<&Stopwatch::longestMs>(Unit::ms)};
   }
 };
 

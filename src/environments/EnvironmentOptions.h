@@ -26,8 +26,8 @@ struct RandomizedNumber {
 
   bool operator==(const RandomizedNumber&) const = default;
   static constexpr auto fields() {
-    return Fields{field("name", &RandomizedNumber::name), field("low", &RandomizedNumber::low),
-                  field("high", &RandomizedNumber::high)};
+    return Fields{field<&RandomizedNumber::name>(), field<&RandomizedNumber::low>(),
+                  field<&RandomizedNumber::high>()};
   }
 };
 
@@ -46,15 +46,14 @@ struct EnvironmentOptions {
   static constexpr auto fields() {
     using O = EnvironmentOptions;
     return Fields{
-        field("environment", &O::environment, "", "such as Walk"),
-        field("observations", &O::observations, "", "state, beliefs or image"),
-        field("actions", &O::actions, "", "joints, parameters, motion or skills"),
-        field("agents", &O::agents, "", "red or all"),
-        field("fidelity", &O::fidelity, "", "kinematic or dynamic"),
-        field("profile", &O::profile, "", "how far all is from perfect (docs/realism.md)"),
-        field("seconds", &O::seconds, "s", "of simulated time until an episode is truncated",
-              {0, 3600}),
-        field("randomize", &O::randomize, "", "numbers that each reset draws anew")};
+        field<&O::environment>("such as Walk"),
+        field<&O::observations>("state, beliefs or image"),
+        field<&O::actions>("joints, parameters, motion or skills"),
+        field<&O::agents>("red or all"),
+        field<&O::fidelity>("kinematic or dynamic"),
+        field<&O::profile>("how far all is from perfect (docs/realism.md)"),
+        field<&O::seconds>(Unit::s, "of simulated time until an episode is truncated", {0, 3600}),
+        field<&O::randomize>("numbers that each reset draws anew")};
   }
 };
 

@@ -19,10 +19,10 @@ struct EnvironmentState {
 
   static constexpr auto fields() {
     using S = EnvironmentState;
-    return Fields{field("options", &S::options), field("seed", &S::seed, "", "given last"),
-                  field("episodes", &S::episodes, "", "begun since it was given", {1, 1e15}),
-                  field("actions", &S::actions, "", "since the last reset"),
-                  field("fingerprint", &S::fingerprint, "", "of the world")};
+    return Fields{field<&S::options>(), field<&S::seed>("given last"),
+                  field<&S::episodes>("begun since it was given", {1, 1e15}),
+                  field<&S::actions>("since the last reset"),
+                  field<&S::fingerprint>("of the world")};
   }
 };
 

@@ -18,7 +18,7 @@ struct Duration {
   std::uint32_t nanosec = 0;
 
   static constexpr auto fields() {
-    return Fields{field("sec", &Duration::sec, "s"), field("nanosec", &Duration::nanosec, "ns")};
+    return Fields{field<&Duration::sec>(Unit::s), field<&Duration::nanosec>(Unit::ns)};
   }
 };
 
@@ -27,22 +27,21 @@ struct Rgba {
 
   static Rgba of(const Color& color);
   static constexpr auto fields() {
-    return Fields{field("r", &Rgba::r), field("g", &Rgba::g), field("b", &Rgba::b),
-                  field("a", &Rgba::a)};
+    return Fields{field<&Rgba::r>(), field<&Rgba::g>(), field<&Rgba::b>(), field<&Rgba::a>()};
   }
 };
 
 struct Point2 {
   double x = 0, y = 0;
 
-  static constexpr auto fields() { return Fields{field("x", &Point2::x), field("y", &Point2::y)}; }
+  static constexpr auto fields() { return Fields{field<&Point2::x>(), field<&Point2::y>()}; }
 };
 
 struct Point3 {
   double x = 0, y = 0, z = 0;
 
   static constexpr auto fields() {
-    return Fields{field("x", &Point3::x), field("y", &Point3::y), field("z", &Point3::z)};
+    return Fields{field<&Point3::x>(), field<&Point3::y>(), field<&Point3::z>()};
   }
 };
 
@@ -50,8 +49,8 @@ struct Quaternion {
   double x = 0, y = 0, z = 0, w = 1;
 
   static constexpr auto fields() {
-    return Fields{field("x", &Quaternion::x), field("y", &Quaternion::y),
-                  field("z", &Quaternion::z), field("w", &Quaternion::w)};
+    return Fields{field<&Quaternion::x>(), field<&Quaternion::y>(), field<&Quaternion::z>(),
+                  field<&Quaternion::w>()};
   }
 };
 
@@ -62,8 +61,7 @@ struct SpatialPose {
   /// From mm.
   static SpatialPose of(const Pose3D& pose);
   static constexpr auto fields() {
-    return Fields{field("position", &SpatialPose::position),
-                  field("orientation", &SpatialPose::orientation)};
+    return Fields{field<&SpatialPose::position>(), field<&SpatialPose::orientation>()};
   }
 };
 
@@ -74,8 +72,7 @@ struct Solid {
   Rgba color;
 
   static constexpr auto fields() {
-    return Fields{field("pose", &Solid::pose), field("size", &Solid::size),
-                  field("color", &Solid::color)};
+    return Fields{field<&Solid::pose>(), field<&Solid::size>(), field<&Solid::color>()};
   }
 };
 
@@ -86,9 +83,9 @@ struct Cylinder {
   Rgba color;
 
   static constexpr auto fields() {
-    return Fields{field("pose", &Cylinder::pose), field("size", &Cylinder::size),
-                  field("bottomScale", &Cylinder::bottomScale),
-                  field("topScale", &Cylinder::topScale), field("color", &Cylinder::color)};
+    return Fields{field<&Cylinder::pose>(), field<&Cylinder::size>(),
+                  field<&Cylinder::bottomScale>(), field<&Cylinder::topScale>(),
+                  field<&Cylinder::color>()};
   }
 };
 
@@ -105,14 +102,14 @@ struct Lines {
   std::vector<std::uint32_t> indices{};
 
   static constexpr auto fields() {
-    return Fields{field("type", &Lines::type),
-                  field("pose", &Lines::pose),
-                  field("thickness", &Lines::thickness, "", "pixel if it is scale invariant"),
-                  field("scaleInvariant", &Lines::scaleInvariant),
-                  field("points", &Lines::points),
-                  field("color", &Lines::color),
-                  field("colors", &Lines::colors),
-                  field("indices", &Lines::indices)};
+    return Fields{field<&Lines::type>(),
+                  field<&Lines::pose>(),
+                  field<&Lines::thickness>("pixel if it is scale invariant"),
+                  field<&Lines::scaleInvariant>(),
+                  field<&Lines::points>(),
+                  field<&Lines::color>(),
+                  field<&Lines::colors>(),
+                  field<&Lines::indices>()};
   }
 };
 
@@ -124,9 +121,9 @@ struct Triangles {
   std::vector<std::uint32_t> indices{};
 
   static constexpr auto fields() {
-    return Fields{field("pose", &Triangles::pose), field("points", &Triangles::points),
-                  field("color", &Triangles::color), field("colors", &Triangles::colors),
-                  field("indices", &Triangles::indices)};
+    return Fields{field<&Triangles::pose>(), field<&Triangles::points>(),
+                  field<&Triangles::color>(), field<&Triangles::colors>(),
+                  field<&Triangles::indices>()};
   }
 };
 
@@ -139,12 +136,9 @@ struct SpatialText {
   std::string text{};
 
   static constexpr auto fields() {
-    return Fields{field("pose", &SpatialText::pose),
-                  field("billboard", &SpatialText::billboard),
-                  field("fontSize", &SpatialText::fontSize),
-                  field("scaleInvariant", &SpatialText::scaleInvariant),
-                  field("color", &SpatialText::color),
-                  field("text", &SpatialText::text)};
+    return Fields{field<&SpatialText::pose>(),     field<&SpatialText::billboard>(),
+                  field<&SpatialText::fontSize>(), field<&SpatialText::scaleInvariant>(),
+                  field<&SpatialText::color>(),    field<&SpatialText::text>()};
   }
 };
 
@@ -161,17 +155,17 @@ struct SceneEntity {
   std::vector<SpatialText> texts{};
 
   static constexpr auto fields() {
-    return Fields{field("timestamp", &SceneEntity::timestamp),
-                  field("frameId", &SceneEntity::frameId),
-                  field("id", &SceneEntity::id),
-                  field("lifetime", &SceneEntity::lifetime),
-                  field("frameLocked", &SceneEntity::frameLocked, "", "moves with its frame"),
-                  field("cubes", &SceneEntity::cubes),
-                  field("spheres", &SceneEntity::spheres),
-                  field("cylinders", &SceneEntity::cylinders),
-                  field("lines", &SceneEntity::lines),
-                  field("triangles", &SceneEntity::triangles),
-                  field("texts", &SceneEntity::texts)};
+    return Fields{field<&SceneEntity::timestamp>(),
+                  field<&SceneEntity::frameId>(),
+                  field<&SceneEntity::id>(),
+                  field<&SceneEntity::lifetime>(),
+                  field<&SceneEntity::frameLocked>("moves with its frame"),
+                  field<&SceneEntity::cubes>(),
+                  field<&SceneEntity::spheres>(),
+                  field<&SceneEntity::cylinders>(),
+                  field<&SceneEntity::lines>(),
+                  field<&SceneEntity::triangles>(),
+                  field<&SceneEntity::texts>()};
   }
 };
 
@@ -179,7 +173,7 @@ struct SceneUpdate {
   std::vector<SceneEntity> entities{};
 
   static Schema schema();
-  static constexpr auto fields() { return Fields{field("entities", &SceneUpdate::entities)}; }
+  static constexpr auto fields() { return Fields{field<&SceneUpdate::entities>()}; }
 };
 
 struct CircleAnnotation {
@@ -189,12 +183,12 @@ struct CircleAnnotation {
   Rgba fillColor{}, outlineColor{};
 
   static constexpr auto fields() {
-    return Fields{field("timestamp", &CircleAnnotation::timestamp),
-                  field("position", &CircleAnnotation::position, "pixel"),
-                  field("diameter", &CircleAnnotation::diameter, "pixel"),
-                  field("thickness", &CircleAnnotation::thickness, "pixel"),
-                  field("fillColor", &CircleAnnotation::fillColor),
-                  field("outlineColor", &CircleAnnotation::outlineColor)};
+    return Fields{field<&CircleAnnotation::timestamp>(),
+                  field<&CircleAnnotation::position>(Unit::pixel),
+                  field<&CircleAnnotation::diameter>(Unit::pixel),
+                  field<&CircleAnnotation::thickness>(Unit::pixel),
+                  field<&CircleAnnotation::fillColor>(),
+                  field<&CircleAnnotation::outlineColor>()};
   }
 };
 
@@ -210,13 +204,11 @@ struct PointsAnnotation {
   double thickness = 1;
 
   static constexpr auto fields() {
-    return Fields{field("timestamp", &PointsAnnotation::timestamp),
-                  field("type", &PointsAnnotation::type),
-                  field("points", &PointsAnnotation::points, "pixel"),
-                  field("outlineColor", &PointsAnnotation::outlineColor),
-                  field("outlineColors", &PointsAnnotation::outlineColors),
-                  field("fillColor", &PointsAnnotation::fillColor),
-                  field("thickness", &PointsAnnotation::thickness, "pixel")};
+    return Fields{
+        field<&PointsAnnotation::timestamp>(),           field<&PointsAnnotation::type>(),
+        field<&PointsAnnotation::points>(Unit::pixel),   field<&PointsAnnotation::outlineColor>(),
+        field<&PointsAnnotation::outlineColors>(),       field<&PointsAnnotation::fillColor>(),
+        field<&PointsAnnotation::thickness>(Unit::pixel)};
   }
 };
 
@@ -228,12 +220,10 @@ struct TextAnnotation {
   Rgba textColor{}, backgroundColor{0, 0, 0, 0};
 
   static constexpr auto fields() {
-    return Fields{field("timestamp", &TextAnnotation::timestamp),
-                  field("position", &TextAnnotation::position, "pixel"),
-                  field("text", &TextAnnotation::text),
-                  field("fontSize", &TextAnnotation::fontSize, "pixel"),
-                  field("textColor", &TextAnnotation::textColor),
-                  field("backgroundColor", &TextAnnotation::backgroundColor)};
+    return Fields{
+        field<&TextAnnotation::timestamp>(), field<&TextAnnotation::position>(Unit::pixel),
+        field<&TextAnnotation::text>(),      field<&TextAnnotation::fontSize>(Unit::pixel),
+        field<&TextAnnotation::textColor>(), field<&TextAnnotation::backgroundColor>()};
   }
 };
 
@@ -244,9 +234,8 @@ struct ImageAnnotations {
 
   static Schema schema();
   static constexpr auto fields() {
-    return Fields{field("circles", &ImageAnnotations::circles),
-                  field("points", &ImageAnnotations::points),
-                  field("texts", &ImageAnnotations::texts)};
+    return Fields{field<&ImageAnnotations::circles>(), field<&ImageAnnotations::points>(),
+                  field<&ImageAnnotations::texts>()};
   }
 };
 
@@ -257,11 +246,9 @@ struct FrameTransform {
   Quaternion rotation{};
 
   static constexpr auto fields() {
-    return Fields{field("timestamp", &FrameTransform::timestamp),
-                  field("parentFrameId", &FrameTransform::parentFrameId),
-                  field("childFrameId", &FrameTransform::childFrameId),
-                  field("translation", &FrameTransform::translation),
-                  field("rotation", &FrameTransform::rotation)};
+    return Fields{field<&FrameTransform::timestamp>(), field<&FrameTransform::parentFrameId>(),
+                  field<&FrameTransform::childFrameId>(), field<&FrameTransform::translation>(),
+                  field<&FrameTransform::rotation>()};
   }
 };
 
@@ -269,9 +256,7 @@ struct FrameTransforms {
   std::vector<FrameTransform> transforms{};
 
   static Schema schema();
-  static constexpr auto fields() {
-    return Fields{field("transforms", &FrameTransforms::transforms)};
-  }
+  static constexpr auto fields() { return Fields{field<&FrameTransforms::transforms>()}; }
 };
 
 struct Log {
@@ -284,9 +269,8 @@ struct Log {
 
   static Schema schema();
   static constexpr auto fields() {
-    return Fields{field("timestamp", &Log::timestamp), field("level", &Log::level),
-                  field("message", &Log::message),     field("name", &Log::name),
-                  field("file", &Log::file),           field("line", &Log::line)};
+    return Fields{field<&Log::timestamp>(), field<&Log::level>(), field<&Log::message>(),
+                  field<&Log::name>(),      field<&Log::file>(),  field<&Log::line>()};
   }
 };
 

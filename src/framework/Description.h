@@ -15,13 +15,13 @@ struct ParameterDescription {
   double low = 0, high = 0;
 
   static constexpr auto fields() {
-    return Fields{
-        field("path", &ParameterDescription::path),
-        field("value", &ParameterDescription::value),
-        field("unit", &ParameterDescription::unit),
-        field("doc", &ParameterDescription::doc),
-        field("low", &ParameterDescription::low, "", "of its range; any value if not below high"),
-        field("high", &ParameterDescription::high)};
+    return Fields{field<&ParameterDescription::path>(),
+                  field<&ParameterDescription::value>(),
+                  field<&ParameterDescription::unit>(),
+                  field<&ParameterDescription::doc>(),
+                  field<&ParameterDescription::low>(
+                      "least value; any value is allowed if low is not below high"),
+                  field<&ParameterDescription::high>()};
   }
 };
 
@@ -32,9 +32,9 @@ struct SolutionDescription {
   std::vector<ParameterDescription> parameters;
 
   static constexpr auto fields() {
-    return Fields{field("name", &SolutionDescription::name),
-                  field("inputs", &SolutionDescription::inputs, "", "representations it reads"),
-                  field("parameters", &SolutionDescription::parameters)};
+    return Fields{field<&SolutionDescription::name>(),
+                  field<&SolutionDescription::inputs>("representations it reads"),
+                  field<&SolutionDescription::parameters>()};
   }
 };
 
@@ -45,11 +45,10 @@ struct TaskDescription {
   std::vector<SolutionDescription> solutions;
 
   static constexpr auto fields() {
-    return Fields{
-        field("name", &TaskDescription::name),
-        field("active", &TaskDescription::active, "", "the solution that runs, or disabled"),
-        field("outputs", &TaskDescription::outputs, "", "representations it provides"),
-        field("solutions", &TaskDescription::solutions)};
+    return Fields{field<&TaskDescription::name>(),
+                  field<&TaskDescription::active>("the solution that runs, or disabled"),
+                  field<&TaskDescription::outputs>("representations it provides"),
+                  field<&TaskDescription::solutions>()};
   }
 };
 
@@ -65,12 +64,11 @@ struct RepresentationDescription {
 
   static constexpr auto fields() {
     using R = RepresentationDescription;
-    return Fields{
-        field("name", &R::name),
-        field("origin", &R::origin, "",
-              "a module of the process, another process, the platform, or from the start"),
-        field("streamed", &R::streamed, "", "whether it can be watched and set"),
-        field("schema", &R::schema, "", "id of the schema that its messages have")};
+    return Fields{field<&R::name>(),
+                  field<&R::origin>(
+                      "a module of the process, another process, the platform, or from the start"),
+                  field<&R::streamed>("whether it can be watched and set"),
+                  field<&R::schema>("id of the schema that its messages have")};
   }
 };
 
@@ -84,10 +82,9 @@ struct ProcessDescription {
   std::vector<std::string> debugKeys;
 
   static constexpr auto fields() {
-    return Fields{field("process", &ProcessDescription::process),
-                  field("tasks", &ProcessDescription::tasks),
-                  field("representations", &ProcessDescription::representations),
-                  field("debugKeys", &ProcessDescription::debugKeys)};
+    return Fields{field<&ProcessDescription::process>(), field<&ProcessDescription::tasks>(),
+                  field<&ProcessDescription::representations>(),
+                  field<&ProcessDescription::debugKeys>()};
   }
 };
 
@@ -98,8 +95,8 @@ struct ModuleTimes {
   std::vector<Stopwatch> modules;
 
   static constexpr auto fields() {
-    return Fields{field("process", &ModuleTimes::process),
-                  field("modules", &ModuleTimes::modules, "", "in the order in which they run")};
+    return Fields{field<&ModuleTimes::process>(),
+                  field<&ModuleTimes::modules>("in the order in which they run")};
   }
 };
 

@@ -183,7 +183,7 @@ TEST(Layout, LetsCrossOnlyWhatCanBeStreamed) {
 namespace other {
 struct Reading {
   int value = 0;
-  static constexpr auto fields() { return Fields{field("value", &Reading::value)}; }
+  static constexpr auto fields() { return Fields{field<&Reading::value>()}; }
 };
 }  // namespace other
 class OtherSense {

@@ -18,7 +18,7 @@ using testing::Reading;
 
 struct FrameTime {
   Time time;
-  static constexpr auto fields() { return Fields{field("time", &FrameTime::time)}; }
+  static constexpr auto fields() { return Fields{field<&FrameTime::time>()}; }
 };
 
 /// One process with both modules, a Debug process, and the sensor that drives them.

@@ -10,7 +10,7 @@ namespace {
 struct NumberPackage {
   int number = 0;
 
-  static constexpr auto fields() { return Fields{field("number", &NumberPackage::number)}; }
+  static constexpr auto fields() { return Fields{field<&NumberPackage::number>()}; }
 };
 
 /// Example1 of report C.3.2.

@@ -18,9 +18,8 @@ struct QueueFillRequest {
   double seconds = 0;
 
   static constexpr auto fields() {
-    return Fields{
-        field("mode", &QueueFillRequest::mode),
-        field("seconds", &QueueFillRequest::seconds, "s", "of collect and save", {0, 86400})};
+    return Fields{field<&QueueFillRequest::mode>(),
+                  field<&QueueFillRequest::seconds>(Unit::s, "of collect and save", {0, 86400})};
   }
 };
 

@@ -43,12 +43,12 @@ struct RequestAnswer {
   std::uint32_t of = 1;
 
   static constexpr auto fields() {
-    return Fields{field("request", &RequestAnswer::request, "", "message id of the request"),
-                  field("asked", &RequestAnswer::asked, "ms", "time stamp of the request"),
-                  field("process", &RequestAnswer::process),
-                  field("outcome", &RequestAnswer::outcome),
-                  field("what", &RequestAnswer::what, "", "why it was refused"),
-                  field("of", &RequestAnswer::of, "", "how many answers the request gets")};
+    return Fields{field<&RequestAnswer::request>("message id of the request"),
+                  field<&RequestAnswer::asked>(Unit::ms, "time stamp of the request"),
+                  field<&RequestAnswer::process>(),
+                  field<&RequestAnswer::outcome>(),
+                  field<&RequestAnswer::what>("why it was refused"),
+                  field<&RequestAnswer::of>("how many answers the request gets")};
   }
 };
 
@@ -63,8 +63,8 @@ struct SolutionRequest {
   std::string solution;
 
   static constexpr auto fields() {
-    return Fields{field("task", &SolutionRequest::task),
-                  field("solution", &SolutionRequest::solution, "", "or disabled")};
+    return Fields{field<&SolutionRequest::task>(),
+                  field<&SolutionRequest::solution>("or disabled")};
   }
 };
 
@@ -75,8 +75,8 @@ struct DebugRequest {
   std::int64_t n = 0;
 
   static constexpr auto fields() {
-    return Fields{field("key", &DebugRequest::key), field("mode", &DebugRequest::mode),
-                  field("n", &DebugRequest::n, "", "times, or ms")};
+    return Fields{field<&DebugRequest::key>(), field<&DebugRequest::mode>(),
+                  field<&DebugRequest::n>("times, or ms")};
   }
 };
 
@@ -96,10 +96,9 @@ struct WatchRequest {
   std::int64_t n = 0;
 
   static constexpr auto fields() {
-    return Fields{field("representation", &WatchRequest::representation),
-                  field("process", &WatchRequest::process, "", "empty: whichever provides it"),
-                  field("mode", &WatchRequest::mode),
-                  field("n", &WatchRequest::n, "", "times, or ms")};
+    return Fields{field<&WatchRequest::representation>(),
+                  field<&WatchRequest::process>("empty: whichever provides it"),
+                  field<&WatchRequest::mode>(), field<&WatchRequest::n>("times, or ms")};
   }
 };
 
@@ -122,11 +121,10 @@ struct ValueRequest {
   ValueMode mode = ValueMode::set;
 
   static constexpr auto fields() {
-    return Fields{
-        field("representation", &ValueRequest::representation),
-        field("path", &ValueRequest::path, "", "of the field, such as translation.x"),
-        field("value", &ValueRequest::value, "", "as in a config file; not read by release"),
-        field("mode", &ValueRequest::mode)};
+    return Fields{field<&ValueRequest::representation>(),
+                  field<&ValueRequest::path>("of the field, such as translation.x"),
+                  field<&ValueRequest::value>("as in a config file; not read by release"),
+                  field<&ValueRequest::mode>()};
   }
 };
 
@@ -136,8 +134,8 @@ struct LayoutRequest {
   std::string text;
 
   static constexpr auto fields() {
-    return Fields{field("name", &LayoutRequest::name, "", "for messages: the file"),
-                  field("text", &LayoutRequest::text, "", "as in a layout file")};
+    return Fields{field<&LayoutRequest::name>("for messages: the file"),
+                  field<&LayoutRequest::text>("as in a layout file")};
   }
 };
 
@@ -146,8 +144,8 @@ struct DescriptionRequest {
   std::string about;
 
   static constexpr auto fields() {
-    return Fields{field("about", &DescriptionRequest::about, "",
-                        "a process, or a task, which is described alone; all if empty")};
+    return Fields{field<&DescriptionRequest::about>(
+        "a process, or a task, which is described alone; all if empty")};
   }
 };
 
@@ -159,9 +157,9 @@ struct ParameterRequest {
   std::string value;
 
   static constexpr auto fields() {
-    return Fields{field("task", &ParameterRequest::task),
-                  field("solution", &ParameterRequest::solution, "", "empty: the one that runs"),
-                  field("path", &ParameterRequest::path), field("value", &ParameterRequest::value)};
+    return Fields{field<&ParameterRequest::task>(),
+                  field<&ParameterRequest::solution>("empty: the one that runs"),
+                  field<&ParameterRequest::path>(), field<&ParameterRequest::value>()};
   }
 };
 

@@ -33,12 +33,11 @@ struct NaoMotionFrame {
   Pose2D odometry;  ///< mm and rad.
 
   static constexpr auto fields() {
-    return Fields{
-        field("time", &NaoMotionFrame::time, "ms"),
-        field("joints", &NaoMotionFrame::joints, "rad", "1000 where a joint is not there"),
-        field("sensors", &NaoMotionFrame::sensors, "",
-              "gyro 3, acceleration 3, battery, feet 8, ultrasound, body's angles 2"),
-        field("odometry", &NaoMotionFrame::odometry, "mm and rad")};
+    return Fields{field<&NaoMotionFrame::time>(Unit::ms),
+                  field<&NaoMotionFrame::joints>(Unit::rad, "1000 where a joint is not there"),
+                  field<&NaoMotionFrame::sensors>(
+                      "gyro 3, acceleration 3, battery, feet 8, ultrasound, body's angles 2"),
+                  field<&NaoMotionFrame::odometry>(Unit::mmRad)};
   }
 };
 

@@ -15,7 +15,7 @@ struct SetupFile {
   std::vector<std::uint8_t> content;
 
   static constexpr auto fields() {
-    return Fields{field("name", &SetupFile::name), field("content", &SetupFile::content)};
+    return Fields{field<&SetupFile::name>(), field<&SetupFile::content>()};
   }
 };
 static_assert(complete<SetupFile>);
@@ -31,14 +31,14 @@ struct RecordedSetup {
   std::vector<SetupFile> files;
 
   static constexpr auto fields() {
-    return Fields{field("player", &RecordedSetup::player),
-                  field("address", &RecordedSetup::address, "", "of its hardware"),
-                  field("seed", &RecordedSetup::seed),
-                  field("layout", &RecordedSetup::layout, "", "its file's name"),
-                  field("behavior", &RecordedSetup::behavior, "", "the agents file's name"),
-                  field("commit", &RecordedSetup::commit, "", "of the robot's program"),
-                  field("files", &RecordedSetup::files, "",
-                        "config/..., motions/..., behavior/..., robot.layout")};
+    return Fields{
+        field<&RecordedSetup::player>(),
+        field<&RecordedSetup::address>("the hardware's address"),
+        field<&RecordedSetup::seed>(),
+        field<&RecordedSetup::layout>("the layout file's name"),
+        field<&RecordedSetup::behavior>("the agents file's name"),
+        field<&RecordedSetup::commit>("of the robot's program"),
+        field<&RecordedSetup::files>("config/..., motions/..., behavior/..., robot.layout")};
   }
 };
 static_assert(complete<RecordedSetup>);
@@ -48,7 +48,7 @@ struct SetupRequest {
   std::string why;
 
   static constexpr auto fields() {
-    return Fields{field("why", &SetupRequest::why, "", "for whoever reads the messages")};
+    return Fields{field<&SetupRequest::why>("for whoever reads the messages")};
   }
 };
 static_assert(complete<SetupRequest>);

@@ -26,7 +26,7 @@ struct ImageHeader {
   CameraInfo info;
 
   static constexpr auto fields() {
-    return Fields{field("time", &ImageHeader::time, "ms"), field("info", &ImageHeader::info)};
+    return Fields{field<&ImageHeader::time>(Unit::ms), field<&ImageHeader::info>()};
   }
 };
 static_assert(complete<ImageHeader>);

@@ -31,22 +31,20 @@ struct MatchSetup {
 
   static constexpr auto fields() {
     return Fields{
-        field("scene", &MatchSetup::scene, "", "file"),
-        field("layout", &MatchSetup::layout, "",
-              "of all robots, instead of the scene's, if not empty"),
-        field("profile", &MatchSetup::profile, "",
-              "instead of the scene's and of what it says in elements, if not empty"),
-        field("fidelity", &MatchSetup::fidelity, "", "instead of the scene's, if not empty"),
-        field("behavior", &MatchSetup::behavior, "", "agents file"),
-        field("motions", &MatchSetup::motions, "", "folder"),
-        field("red", &MatchSetup::red, "", "team, if it has files of its own"),
-        field("blue", &MatchSetup::blue, "", "team, if it has files of its own"),
-        field("truth", &MatchSetup::truth, "", "robots and teams that are given the truth"),
-        field("randomChallenge", &MatchSetup::randomChallenge, "",
-              "a challenge's start is random, whatever the scene says"),
-        field("minutes", &MatchSetup::minutes, "min", "both halves together; 0: the scene's",
-              {0, 1e4}),
-        field("seed", &MatchSetup::seed)};
+        field<&MatchSetup::scene>("file"),
+        field<&MatchSetup::layout>("of all robots, instead of the scene's, if not empty"),
+        field<&MatchSetup::profile>(
+            "instead of the scene's and of what it says in elements, if not empty"),
+        field<&MatchSetup::fidelity>("instead of the scene's, if not empty"),
+        field<&MatchSetup::behavior>("agents file"),
+        field<&MatchSetup::motions>("folder"),
+        field<&MatchSetup::red>("team, if it has files of its own"),
+        field<&MatchSetup::blue>("team, if it has files of its own"),
+        field<&MatchSetup::truth>("robots and teams that are given the truth"),
+        field<&MatchSetup::randomChallenge>(
+            "a challenge's start is random, whatever the scene says"),
+        field<&MatchSetup::minutes>(Unit::min, "both halves together; 0: the scene's", {0, 1e4}),
+        field<&MatchSetup::seed>()};
   }
 };
 static_assert(complete<MatchSetup>);

@@ -24,10 +24,9 @@ struct Intervention {
 
   static constexpr auto fields() {
     return Fields{
-        field("time", &Intervention::time, "ms", "the tick after which it was done"),
-        field("kind", &Intervention::kind),
-        field(
-            "line", &Intervention::line, "",
+        field<&Intervention::time>(Unit::ms, "the tick after which it was done"),
+        field<&Intervention::kind>(),
+        field<&Intervention::line>(
             "console: a command line; gameController: the message's bytes as hexadecimal digits")};
   }
 };
@@ -49,10 +48,10 @@ struct MatchState : MatchSetup {
 
   static constexpr auto fields() {
     return MatchSetup::fields() +
-           Fields{field("time", &MatchState::time, "ms", "how far it has come"),
-                  field("history", &MatchState::history, "", "in the order of time"),
-                  field("fingerprint", &MatchState::fingerprint, "",
-                        "of world and robots; 0: unknown, so it is not compared")};
+           Fields{field<&MatchState::time>(Unit::ms, "how far it has come"),
+                  field<&MatchState::history>("in the order of time"),
+                  field<&MatchState::fingerprint>(
+                      "of world and robots; 0: unknown, so it is not compared")};
   }
 };
 

@@ -18,10 +18,9 @@ struct ErrorStatistics {
   double mean = 0, median = 0, percentile95 = 0, maximum = 0;
 
   static constexpr auto fields() {
-    return Fields{field("count", &ErrorStatistics::count), field("mean", &ErrorStatistics::mean),
-                  field("median", &ErrorStatistics::median),
-                  field("percentile95", &ErrorStatistics::percentile95),
-                  field("maximum", &ErrorStatistics::maximum)};
+    return Fields{field<&ErrorStatistics::count>(), field<&ErrorStatistics::mean>(),
+                  field<&ErrorStatistics::median>(), field<&ErrorStatistics::percentile95>(),
+                  field<&ErrorStatistics::maximum>()};
   }
 };
 
@@ -37,15 +36,15 @@ struct MatchEvent {
 
   static constexpr auto fields() {
     return Fields{
-        field("time", &MatchEvent::time, "ms"),
-        field("kind", &MatchEvent::kind, "",
-              "goal, kickOff, halfTime, stuckBall, kick, end, ...; failure: of a robot's program"),
-        field("text", &MatchEvent::text, "", "one line for people"),
-        field("team", &MatchEvent::team, "", "that it is about"),
-        field("player", &MatchEvent::player, "", "1 to 4; 0 none"),
-        field("ownGoal", &MatchEvent::ownGoal),
-        field("redScore", &MatchEvent::redScore, "", "afterwards"),
-        field("blueScore", &MatchEvent::blueScore)};
+        field<&MatchEvent::time>(Unit::ms),
+        field<&MatchEvent::kind>(
+            "goal, kickOff, halfTime, stuckBall, kick, end, ...; failure: of a robot's program"),
+        field<&MatchEvent::text>("one line for people"),
+        field<&MatchEvent::team>("that it is about"),
+        field<&MatchEvent::player>("1 to 4; 0 none"),
+        field<&MatchEvent::ownGoal>(),
+        field<&MatchEvent::redScore>("afterwards"),
+        field<&MatchEvent::blueScore>()};
   }
 };
 
@@ -58,12 +57,12 @@ struct BrokenInvariant {
   std::string text;
 
   static constexpr auto fields() {
-    return Fields{field("time", &BrokenInvariant::time, "ms", "when it began"),
-                  field("until", &BrokenInvariant::until, "ms"),
-                  field("severity", &BrokenInvariant::severity),
-                  field("invariant", &BrokenInvariant::invariant),
-                  field("who", &BrokenInvariant::who, "", "robot, ball, or the world"),
-                  field("text", &BrokenInvariant::text, "", "when it was worst")};
+    return Fields{field<&BrokenInvariant::time>(Unit::ms, "when it began"),
+                  field<&BrokenInvariant::until>(Unit::ms),
+                  field<&BrokenInvariant::severity>(),
+                  field<&BrokenInvariant::invariant>(),
+                  field<&BrokenInvariant::who>("robot, ball, or the world"),
+                  field<&BrokenInvariant::text>("when it was worst")};
   }
 };
 
@@ -73,9 +72,8 @@ struct RobotSample {
   double localizationError = 0;
 
   static constexpr auto fields() {
-    return Fields{
-        field("pose", &RobotSample::pose, "mm, rad", "the truth, in the field's coordinates"),
-        field("localizationError", &RobotSample::localizationError, "mm")};
+    return Fields{field<&RobotSample::pose>(Unit::mmRad, "the truth, in the field's coordinates"),
+                  field<&RobotSample::localizationError>(Unit::mm)};
   }
 };
 
@@ -85,7 +83,7 @@ struct KickCount {
   int count = 0;
 
   static constexpr auto fields() {
-    return Fields{field("kick", &KickCount::kick), field("count", &KickCount::count)};
+    return Fields{field<&KickCount::kick>(), field<&KickCount::count>()};
   }
 };
 
@@ -108,22 +106,21 @@ struct RobotSummary {
 
   static constexpr auto fields() {
     return Fields{
-        field("name", &RobotSummary::name),
-        field("team", &RobotSummary::team),
-        field("player", &RobotSummary::player, "", "1 to 4"),
-        field("role", &RobotSummary::role),
-        field("localizationError", &RobotSummary::localizationError, "mm",
-              "while the game runs, against the truth"),
-        field("rotationError", &RobotSummary::rotationError, "rad", "likewise"),
-        field("ballError", &RobotSummary::ballError, "mm", "of the own ball, while it is seen"),
-        field("distanceWalked", &RobotSummary::distanceWalked, "mm",
-              "from second to second, unless somebody carried it"),
-        field("falls", &RobotSummary::falls),
-        field("goals", &RobotSummary::goals),
-        field("ownGoals", &RobotSummary::ownGoals),
-        field("kicks", &RobotSummary::kicks),
-        field("log", &RobotSummary::log, "", "file, beside this one"),
-        field("samples", &RobotSummary::samples, "", "one a second")};
+        field<&RobotSummary::name>(),
+        field<&RobotSummary::team>(),
+        field<&RobotSummary::player>("1 to 4"),
+        field<&RobotSummary::role>(),
+        field<&RobotSummary::localizationError>(Unit::mm, "while the game runs, against the truth"),
+        field<&RobotSummary::rotationError>(Unit::rad, "while the game runs, against the truth"),
+        field<&RobotSummary::ballError>(Unit::mm, "of the own ball, while it is seen"),
+        field<&RobotSummary::distanceWalked>(Unit::mm,
+                                             "from second to second, unless somebody carried it"),
+        field<&RobotSummary::falls>(),
+        field<&RobotSummary::goals>(),
+        field<&RobotSummary::ownGoals>(),
+        field<&RobotSummary::kicks>(),
+        field<&RobotSummary::log>("file, beside this one"),
+        field<&RobotSummary::samples>("one a second")};
   }
 };
 
@@ -134,9 +131,9 @@ struct PlayFigure {
   double value = 0;
 
   static constexpr auto fields() {
-    return Fields{field("name", &PlayFigure::name, "",
-                        "as play.match measures it; that of a team begins with its color"),
-                  field("unit", &PlayFigure::unit), field("value", &PlayFigure::value)};
+    return Fields{
+        field<&PlayFigure::name>("as play.match measures it; that of a team begins with its color"),
+        field<&PlayFigure::unit>(), field<&PlayFigure::value>()};
   }
 };
 
@@ -155,17 +152,16 @@ struct ShotSummary {
   ShotEnd end = ShotEnd::missed;
 
   static constexpr auto fields() {
-    return Fields{field("time", &ShotSummary::time, "ms"),
-                  field("team", &ShotSummary::team, "", "that shoots"),
-                  field("robot", &ShotSummary::robot, "",
-                        "index of the one that touched the ball last; -1 nobody"),
-                  field("origin", &ShotSummary::origin, "mm", "where the ball was"),
-                  field("speed", &ShotSummary::speed, "mm/s", "of the ball at first"),
-                  field("goalieMoved", &ShotSummary::goalieMoved, "mm",
-                        "how far the goalie was from where it stood at first, at most"),
-                  field("goalieAction", &ShotSummary::goalieAction, "",
-                        "special action that the goalie began; empty: none"),
-                  field("end", &ShotSummary::end)};
+    return Fields{
+        field<&ShotSummary::time>(Unit::ms),
+        field<&ShotSummary::team>("that shoots"),
+        field<&ShotSummary::robot>("index of the one that touched the ball last; -1 nobody"),
+        field<&ShotSummary::origin>(Unit::mm, "where the ball was"),
+        field<&ShotSummary::speed>(Unit::mmPerS, "of the ball at first"),
+        field<&ShotSummary::goalieMoved>(
+            Unit::mm, "how far the goalie was from where it stood at first, at most"),
+        field<&ShotSummary::goalieAction>("special action that the goalie began; empty: none"),
+        field<&ShotSummary::end>()};
   }
 };
 
@@ -187,23 +183,21 @@ struct MatchSummary {
 
   static constexpr auto fields() {
     return Fields{
-        field("scene", &MatchSummary::scene),
-        field("seed", &MatchSummary::seed),
-        field("duration", &MatchSummary::duration, "ms", "simulated"),
-        field("interrupted", &MatchSummary::interrupted, "",
-              "whether it was ended before its end: by a signal, an error of its script, or a "
-              "program that failed"),
-        field("redScore", &MatchSummary::redScore),
-        field("blueScore", &MatchSummary::blueScore),
-        field("truth", &MatchSummary::truth, "",
-              "robots that were given the truth; none in a fair match"),
-        field("events", &MatchSummary::events),
-        field("broken", &MatchSummary::broken, "",
-              "invariants that did not hold, if it was asked to check them"),
-        field("play", &MatchSummary::play, "", "how both teams played, while the game runs"),
-        field("shots", &MatchSummary::shots),
-        field("robots", &MatchSummary::robots),
-        field("ball", &MatchSummary::ball, "mm", "true position, one a second")};
+        field<&MatchSummary::scene>(),
+        field<&MatchSummary::seed>(),
+        field<&MatchSummary::duration>(Unit::ms, "simulated"),
+        field<&MatchSummary::interrupted>(
+            "whether it was ended before its end: by a signal, an error of its script, or a "
+            "program that failed"),
+        field<&MatchSummary::redScore>(),
+        field<&MatchSummary::blueScore>(),
+        field<&MatchSummary::truth>("robots that were given the truth; none in a fair match"),
+        field<&MatchSummary::events>(),
+        field<&MatchSummary::broken>("invariants that did not hold, if it was asked to check them"),
+        field<&MatchSummary::play>("how both teams played, while the game runs"),
+        field<&MatchSummary::shots>(),
+        field<&MatchSummary::robots>(),
+        field<&MatchSummary::ball>(Unit::mm, "true position, one a second")};
   }
 };
 
@@ -214,8 +208,8 @@ struct PartTime {
   double totalMs = 0;
 
   static constexpr auto fields() {
-    return Fields{field("part", &PartTime::part, "", "a task, or a part of the simulator"),
-                  field("count", &PartTime::count), field("totalMs", &PartTime::totalMs, "ms")};
+    return Fields{field<&PartTime::part>("a task, or a part of the simulator"),
+                  field<&PartTime::count>(), field<&PartTime::totalMs>(Unit::ms)};
   }
 };
 
@@ -227,11 +221,9 @@ struct MatchTimes {
   std::vector<PartTime> parts;
 
   static constexpr auto fields() {
-    return Fields{
-        field("seconds", &MatchTimes::seconds, "s", "from the first to the last step"),
-        field("realTimeFactor", &MatchTimes::realTimeFactor, "", "simulated time over seconds"),
-        field("threads", &MatchTimes::threads),
-        field("parts", &MatchTimes::parts, "", "over all robots")};
+    return Fields{field<&MatchTimes::seconds>(Unit::s, "from the first to the last step"),
+                  field<&MatchTimes::realTimeFactor>("simulated time over seconds"),
+                  field<&MatchTimes::threads>(), field<&MatchTimes::parts>("over all robots")};
   }
 };
 

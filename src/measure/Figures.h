@@ -22,9 +22,7 @@ struct Aim {
   bool met(double figure) const { return kind == Kind::atMost ? figure <= value : figure >= value; }
   bool operator==(const Aim&) const = default;
 
-  static constexpr auto fields() {
-    return Fields{field("kind", &Aim::kind), field("value", &Aim::value)};
-  }
+  static constexpr auto fields() { return Fields{field<&Aim::kind>(), field<&Aim::value>()}; }
 };
 static_assert(complete<Aim>);
 

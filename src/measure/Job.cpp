@@ -15,7 +15,7 @@ struct ResultLine {
   std::vector<Measurement::Value> values;
 
   static constexpr auto fields() {
-    return Fields{field("job", &ResultLine::job), field("values", &ResultLine::values)};
+    return Fields{field<&ResultLine::job>(), field<&ResultLine::values>()};
   }
 };
 static_assert(complete<ResultLine>);

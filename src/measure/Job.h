@@ -45,8 +45,8 @@ struct Measurement {
 
     bool operator==(const Value&) const = default;
     static constexpr auto fields() {
-      return Fields{field("name", &Value::name), field("unit", &Value::unit),
-                    field("value", &Value::value), field("aim", &Value::aim)};
+      return Fields{field<&Value::name>(), field<&Value::unit>(), field<&Value::value>(),
+                    field<&Value::aim>()};
     }
   };
 

@@ -15,10 +15,10 @@ struct Keys {
   std::string clientSecret;
 
   static constexpr auto fields() {
-    return Fields{field("serverPublic", &Keys::serverPublic, "", "of who listens"),
-                  field("serverSecret", &Keys::serverSecret, "", "needed to listen"),
-                  field("clientPublic", &Keys::clientPublic, "", "of who connects"),
-                  field("clientSecret", &Keys::clientSecret, "", "needed to connect")};
+    return Fields{field<&Keys::serverPublic>("of who listens"),
+                  field<&Keys::serverSecret>("needed to listen"),
+                  field<&Keys::clientPublic>("of who connects"),
+                  field<&Keys::clientSecret>("needed to connect")};
   }
   bool canListen() const { return !serverSecret.empty() && !clientPublic.empty(); }
   bool canConnect() const { return !clientSecret.empty() && !serverPublic.empty(); }

@@ -21,7 +21,7 @@ using testing::TestFolder;
 struct Load {
   std::vector<std::uint8_t> bytes;
 
-  static constexpr auto fields() { return Fields{field("bytes", &Load::bytes)}; }
+  static constexpr auto fields() { return Fields{field<&Load::bytes>()}; }
 };
 const RepresentationType& load = representation<Load>();
 

@@ -74,7 +74,7 @@ TEST_F(QueueStreamTest, HandsOverQueuesInTheirOrder) {
 TEST_F(QueueStreamTest, HandsOverMoreThanTheSocketHolds) {
   struct Bytes {
     std::vector<std::uint8_t> bytes;
-    static constexpr auto fields() { return Fields{field("bytes", &Bytes::bytes)}; }
+    static constexpr auto fields() { return Fields{field<&Bytes::bytes>()}; }
   };
   QueueStream one = stream(), other{std::move(there), known, 4 * capacity, patience};
   MessageQueue large{capacity};

@@ -22,8 +22,8 @@ struct RoutedTeamMessage {
   TeamMessage message;
 
   static constexpr auto fields() {
-    return Fields{field("team", &RoutedTeamMessage::team, "", "as RoutedRobot::team"),
-                  field("message", &RoutedTeamMessage::message)};
+    return Fields{field<&RoutedTeamMessage::team>("as RoutedRobot::team"),
+                  field<&RoutedTeamMessage::message>()};
   }
 };
 

@@ -25,21 +25,20 @@ struct RouterSettings {
 
   static constexpr auto fields() {
     return Fields{
-        field("robots", &RouterSettings::robots, "", "as on the command line (report 5.3)"),
-        field("sockets", &RouterSettings::sockets, "", "folder of the robots of this machine"),
-        field("listen", &RouterSettings::listen, "", "address on which tools connect"),
-        field("port", &RouterSettings::port, "", "of robots", {1, 65000}),
-        field("release", &RouterSettings::release, "", "only team messages"),
-        field("gameManager", &RouterSettings::gameManager, "", "a port for tools of all robots"),
-        field("noTeams", &RouterSettings::noTeams, "", "no team messages"),
-        field("team", &RouterSettings::team, "", "of all robots; empty: as they are named"),
-        field("routers", &RouterSettings::routers, "", "a port for other routers"),
-        field("join", &RouterSettings::join, "", "endpoints of other routers"),
-        field("keys", &RouterSettings::keys, "", "key file for listening"),
-        field("connectKeys", &RouterSettings::connectKeys, "", "key file for connecting"),
-        field("foxglove", &RouterSettings::foxglove, "", "where viewers connect; empty: nowhere"),
-        field("foxgloveOrigins", &RouterSettings::foxgloveOrigins, "",
-              "of viewers in browsers, beside this machine")};
+        field<&RouterSettings::robots>("as on the command line (report 5.3)"),
+        field<&RouterSettings::sockets>("folder of the robots of this machine"),
+        field<&RouterSettings::listen>("address on which tools connect"),
+        field<&RouterSettings::port>("of robots", {1, 65000}),
+        field<&RouterSettings::release>("only team messages"),
+        field<&RouterSettings::gameManager>("a port for tools of all robots"),
+        field<&RouterSettings::noTeams>("no team messages"),
+        field<&RouterSettings::team>("of all robots; empty: as they are named"),
+        field<&RouterSettings::routers>("a port for other routers"),
+        field<&RouterSettings::join>("endpoints of other routers"),
+        field<&RouterSettings::keys>("key file for listening"),
+        field<&RouterSettings::connectKeys>("key file for connecting"),
+        field<&RouterSettings::foxglove>("where viewers connect; empty: nowhere"),
+        field<&RouterSettings::foxgloveOrigins>("of viewers in browsers, beside this machine")};
   }
 
   RobotList::Places places() const { return {listen, port, sockets}; }

@@ -18,9 +18,9 @@ struct TypeDescription {
 
   static TypeDescription of(const RepresentationType& type);
   static constexpr auto fields() {
-    return Fields{field("type", &TypeDescription::type, "", "its id"),
-                  field("name", &TypeDescription::name, "", "of its schema"),
-                  field("schema", &TypeDescription::schema, "", "its text")};
+    return Fields{field<&TypeDescription::type>("the type's id"),
+                  field<&TypeDescription::name>("the schema's name"),
+                  field<&TypeDescription::schema>("the schema's text")};
   }
 };
 
@@ -30,8 +30,8 @@ struct TypeDescriptions {
   std::vector<TypeDescription> types;
 
   static constexpr auto fields() {
-    return Fields{field("vocabulary", &TypeDescriptions::vocabulary, "", "its id"),
-                  field("types", &TypeDescriptions::types)};
+    return Fields{field<&TypeDescriptions::vocabulary>("the vocabulary's id"),
+                  field<&TypeDescriptions::types>()};
   }
 };
 

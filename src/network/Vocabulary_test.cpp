@@ -18,7 +18,7 @@ namespace newer = testing::newer;
 struct Name {
   std::string name;
 
-  static constexpr auto fields() { return Fields{field("name", &Name::name)}; }
+  static constexpr auto fields() { return Fields{field<&Name::name>()}; }
 };
 
 const Vocabulary& robots() {

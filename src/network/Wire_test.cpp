@@ -132,9 +132,7 @@ namespace small {
 struct NumberPackage {
   int number = 7;
 
-  static constexpr auto fields() {
-    return Fields{field("number", &NumberPackage::number, "", "", {0, 9})};
-  }
+  static constexpr auto fields() { return Fields{field<&NumberPackage::number>({0, 9})}; }
 };
 static_assert(complete<NumberPackage>);
 

@@ -18,8 +18,8 @@ struct CalibratedFile {
   std::vector<std::array<std::string, 2>> sources;
 
   static constexpr auto fields() {
-    return Fields{field("file", &CalibratedFile::file), field("command", &CalibratedFile::command),
-                  field("sources", &CalibratedFile::sources)};
+    return Fields{field<&CalibratedFile::file>(), field<&CalibratedFile::command>(),
+                  field<&CalibratedFile::sources>()};
   }
 };
 
@@ -27,7 +27,7 @@ struct CalibratedFile {
 struct CalibratedFiles {
   std::vector<CalibratedFile> files;
 
-  static constexpr auto fields() { return Fields{field("files", &CalibratedFiles::files)}; }
+  static constexpr auto fields() { return Fields{field<&CalibratedFiles::files>()}; }
 };
 
 /// Warns of calibrated files that depend on something which has changed since. What is listed and

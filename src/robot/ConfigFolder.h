@@ -80,15 +80,15 @@ struct NetworkSettings {
 
   static constexpr auto fields() {
     return Fields{
-        field("robot", &NetworkSettings::robot, "", "the robot's name"),
-        field("address", &NetworkSettings::address, "",
-              "hardware address; empty: that of the machine's first network interface"),
-        field("tools", &NetworkSettings::tools, "",
-              "where tools and the router connect: tcp://127.0.0.1:15001; empty: on this machine"),
-        field("keys", &NetworkSettings::keys, "", "key file for listening"),
-        field("connectKeys", &NetworkSettings::connectKeys, "", "key file for connecting"),
-        field("processes", &NetworkSettings::processes, "",
-              "where processes listen on other machines: Motion=tcp://10.0.1.100:5001")};
+        field<&NetworkSettings::robot>("the robot's name"),
+        field<&NetworkSettings::address>(
+            "hardware address; empty: that of the machine's first network interface"),
+        field<&NetworkSettings::tools>(
+            "where tools and the router connect: tcp://127.0.0.1:15001; empty: on this machine"),
+        field<&NetworkSettings::keys>("key file for listening"),
+        field<&NetworkSettings::connectKeys>("key file for connecting"),
+        field<&NetworkSettings::processes>(
+            "where processes listen on other machines: Motion=tcp://10.0.1.100:5001")};
   }
 };
 

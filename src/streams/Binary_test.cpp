@@ -36,24 +36,23 @@ struct Aligned {
   Time time{5};
 
   static constexpr auto fields() {
-    return Fields{field("first", &Aligned::first), field("second", &Aligned::second),
-                  field("text", &Aligned::text),   field("third", &Aligned::third),
-                  field("color", &Aligned::color), field("list", &Aligned::list),
-                  field("time", &Aligned::time)};
+    return Fields{field<&Aligned::first>(), field<&Aligned::second>(), field<&Aligned::text>(),
+                  field<&Aligned::third>(), field<&Aligned::color>(),  field<&Aligned::list>(),
+                  field<&Aligned::time>()};
   }
 };
 static_assert(complete<Aligned>);
 
 struct Forgetful {
   int a = 0, b = 0;
-  static constexpr auto fields() { return Fields{field("a", &Forgetful::a)}; }
+  static constexpr auto fields() { return Fields{field<&Forgetful::a>()}; }
 };
 static_assert(!complete<Forgetful>);
 
 struct Repeating {
   int a = 0, b = 0;
   static constexpr auto fields() {
-    return Fields{field("a", &Repeating::a), field("b", &Repeating::a)};
+    return Fields{field<&Repeating::a>(), field<&Repeating::a>().named("b")};
   }
 };
 static_assert(!complete<Repeating>);
@@ -61,16 +60,14 @@ static_assert(!complete<Repeating>);
 struct Confusing {
   int a = 0, b = 0;
   static constexpr auto fields() {
-    return Fields{field("a", &Confusing::a), field("a", &Confusing::b)};
+    return Fields{field<&Confusing::a>(), field<&Confusing::b>().named("a")};
   }
 };
 static_assert(!complete<Confusing>);
 
 struct Swapped {
   std::uint8_t a = 1, b = 2;
-  static constexpr auto fields() {
-    return Fields{field("b", &Swapped::b), field("a", &Swapped::a)};
-  }
+  static constexpr auto fields() { return Fields{field<&Swapped::b>(), field<&Swapped::a>()}; }
 };
 
 // Only what lies in memory as in the stream may be copied as a block.
@@ -195,9 +192,7 @@ TEST(Binary, SurvivesMutatedData) {
 struct Odd {
   double number = 0;
   bool flag = false;
-  static constexpr auto fields() {
-    return Fields{field("number", &Odd::number), field("flag", &Odd::flag)};
-  }
+  static constexpr auto fields() { return Fields{field<&Odd::number>(), field<&Odd::flag>()}; }
 };
 struct Mixed {
   std::int32_t whole = 0;
@@ -205,13 +200,13 @@ struct Mixed {
   std::int16_t small = 0;
   samples::Color color = samples::Color::red;
   static constexpr auto fields() {
-    return Fields{field("whole", &Mixed::whole), field("part", &Mixed::part),
-                  field("small", &Mixed::small), field("color", &Mixed::color)};
+    return Fields{field<&Mixed::whole>(), field<&Mixed::part>(), field<&Mixed::small>(),
+                  field<&Mixed::color>()};
   }
 };
 struct Turned {
   Matrix3d a = Matrix3d::Identity(), b = Matrix3d::Identity();
-  static constexpr auto fields() { return Fields{field("a", &Turned::a), field("b", &Turned::b)}; }
+  static constexpr auto fields() { return Fields{field<&Turned::a>(), field<&Turned::b>()}; }
 };
 template <typename T>
 struct Placed {
@@ -224,10 +219,8 @@ struct Placed {
   T last;
   static constexpr auto fields() {
     using P = Placed;
-    return Fields{field("before", &P::before),   field("one", &P::one),
-                  field("between", &P::between), field("array", &P::array),
-                  field("list", &P::list),       field("pairs", &P::pairs),
-                  field("last", &P::last)};
+    return Fields{field<&P::before>(), field<&P::one>(),   field<&P::between>(), field<&P::array>(),
+                  field<&P::list>(),   field<&P::pairs>(), field<&P::last>()};
   }
 };
 

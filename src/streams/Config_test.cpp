@@ -28,16 +28,14 @@ struct PlayerFile {
   Team teamColor = Team::red;
   Role playerRole = Role::goalie;
   static constexpr auto fields() {
-    return Fields{field("teamColor", &PlayerFile::teamColor),
-                  field("playerRole", &PlayerFile::playerRole)};
+    return Fields{field<&PlayerFile::teamColor>(), field<&PlayerFile::playerRole>()};
   }
 };
 
 struct BodyOffsets {
   double bodyTiltOffset = 0, bodyRollOffset = 1;
   static constexpr auto fields() {
-    return Fields{field("bodyTiltOffset", &BodyOffsets::bodyTiltOffset),
-                  field("bodyRollOffset", &BodyOffsets::bodyRollOffset)};
+    return Fields{field<&BodyOffsets::bodyTiltOffset>(), field<&BodyOffsets::bodyRollOffset>()};
   }
 };
 

@@ -54,9 +54,9 @@ struct DroppedMessage {
   std::uint64_t count = 0;
 
   static constexpr auto fields() {
-    return Fields{field("id", &DroppedMessage::id, "", "0: of all further types"),
-                  field("type", &DroppedMessage::type, "", "empty if only the id is known"),
-                  field("count", &DroppedMessage::count)};
+    return Fields{field<&DroppedMessage::id>("0: of all further types"),
+                  field<&DroppedMessage::type>("empty if only the id is known"),
+                  field<&DroppedMessage::count>()};
   }
 };
 
@@ -65,7 +65,7 @@ struct DroppedMessage {
 struct DroppedMessages {
   std::vector<DroppedMessage> types;
 
-  static constexpr auto fields() { return Fields{field("types", &DroppedMessages::types)}; }
+  static constexpr auto fields() { return Fields{field<&DroppedMessages::types>()}; }
 };
 
 /// A list of messages of any types with their time stamps, in a piece of memory that is allocated

@@ -12,11 +12,11 @@ namespace {
 
 struct Text {
   std::string text;
-  static constexpr auto fields() { return Fields{field("text", &Text::text)}; }
+  static constexpr auto fields() { return Fields{field<&Text::text>()}; }
 };
 struct Count {
   double value = 0;
-  static constexpr auto fields() { return Fields{field("value", &Count::value)}; }
+  static constexpr auto fields() { return Fields{field<&Count::value>()}; }
 };
 
 /// All texts and numbers of a queue in their order.

@@ -21,7 +21,7 @@ enum class Side { left, right };
 struct Spot {
   float x = 0;
   int y = 0;
-  static constexpr auto fields() { return Fields{field("x", &Spot::x), field("y", &Spot::y)}; }
+  static constexpr auto fields() { return Fields{field<&Spot::x>(), field<&Spot::y>()}; }
 };
 struct Report {
   Mood mood = Mood::calm;
@@ -34,11 +34,9 @@ struct Report {
   std::array<std::array<int, 2>, 2> table{};
   int dropped = 0;
   static constexpr auto fields() {
-    return Fields{field("mood", &Report::mood),      field("bigNumber", &Report::bigNumber),
-                  field("wide", &Report::wide),      field("sure", &Report::sure),
-                  field("note", &Report::note),      field("spots", &Report::spots),
-                  field("scores", &Report::scores),  field("table", &Report::table),
-                  field("dropped", &Report::dropped)};
+    return Fields{field<&Report::mood>(),   field<&Report::bigNumber>(), field<&Report::wide>(),
+                  field<&Report::sure>(),   field<&Report::note>(),      field<&Report::spots>(),
+                  field<&Report::scores>(), field<&Report::table>(),     field<&Report::dropped>()};
   }
 };
 }  // namespace then
@@ -51,7 +49,7 @@ struct Spot {
   double x = 7;
   double z = 7;
   static constexpr auto fields() {
-    return Fields{field("y", &Spot::y), field("x", &Spot::x), field("z", &Spot::z)};
+    return Fields{field<&Spot::y>(), field<&Spot::x>(), field<&Spot::z>()};
   }
 };
 struct Report {
@@ -65,11 +63,9 @@ struct Report {
   std::string note;
   std::array<std::array<double, 2>, 3> table{};
   static constexpr auto fields() {
-    return Fields{field("added", &Report::added), field("scores", &Report::scores),
-                  field("spots", &Report::spots), field("bigNumber", &Report::bigNumber),
-                  field("wide", &Report::wide),   field("sure", &Report::sure),
-                  field("mood", &Report::mood),   field("note", &Report::note),
-                  field("table", &Report::table)};
+    return Fields{field<&Report::added>(),     field<&Report::scores>(), field<&Report::spots>(),
+                  field<&Report::bigNumber>(), field<&Report::wide>(),   field<&Report::sure>(),
+                  field<&Report::mood>(),      field<&Report::note>(),   field<&Report::table>()};
   }
 };
 }  // namespace now
@@ -235,8 +231,7 @@ struct Board {
     return static_cast<int>(cells.size()) % width == 0 ? "" : "its last row is not whole";
   }
   static constexpr auto fields() {
-    return Fields{field("width", &Board::width, "", "", {1, 9}), field("cells", &Board::cells),
-                  field("inners", &Board::inners)};
+    return Fields{field<&Board::width>({1, 9}), field<&Board::cells>(), field<&Board::inners>()};
   }
 };
 

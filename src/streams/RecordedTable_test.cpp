@@ -16,7 +16,7 @@ struct Spot {
   std::int16_t y = 0;
   std::vector<std::string> names;
   static constexpr auto fields() {
-    return Fields{field("x", &Spot::x), field("y", &Spot::y), field("names", &Spot::names)};
+    return Fields{field<&Spot::x>(), field<&Spot::y>(), field<&Spot::names>()};
   }
 };
 struct Sight {
@@ -28,10 +28,9 @@ struct Sight {
   std::vector<double> numbers;
   std::string note;
   static constexpr auto fields() {
-    return Fields{field("sure", &Sight::sure),   field("counts", &Sight::counts),
-                  field("mood", &Sight::mood),   field("value", &Sight::value),
-                  field("spots", &Sight::spots), field("numbers", &Sight::numbers),
-                  field("note", &Sight::note)};
+    return Fields{field<&Sight::sure>(),  field<&Sight::counts>(), field<&Sight::mood>(),
+                  field<&Sight::value>(), field<&Sight::spots>(),  field<&Sight::numbers>(),
+                  field<&Sight::note>()};
   }
 };
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/Hash.h"
+#include "streams/Unit.h"
 
 namespace gt {
 
@@ -18,6 +19,22 @@ struct Range {
   constexpr bool bounds() const { return low < high; }
 };
 
+/// What a field means, in words that stand by themselves. One that is empty, or leans on a field
+/// beside it, does not compile: tools show each alone.
+struct Sentence {
+  consteval Sentence() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor): a text is meant to become a sentence.
+  consteval Sentence(const char* words) : text{words, __builtin_strlen(words)} {
+    if (text.empty() || text.front() == ' ' || text.back() == ' ') throw "a sentence without words";
+    for (const std::string_view leaning : {"likewise", "the same", "ditto", "as above", "as before",
+                                           "if it does", "of its ", "of it ", "its "})
+      if (text.front() == leaning.front() && text.starts_with(leaning))
+        throw "a sentence that leans on another field's";
+  }
+
+  std::string_view text;
+};
+
 /// One field of a struct: where it lies and what is to be known about it.
 template <typename Class, typename Type>
 struct Field {
@@ -26,14 +43,52 @@ struct Field {
   std::string_view unit;
   std::string_view doc;
   Range range;
+
+  /// The same with a name that is not the member's.
+  constexpr Field named(std::string_view other) const { return {other, member, unit, doc, range}; }
 };
+
+/// The name of a member that a pointer points to, without the underscore of a private one.
+template <auto member>
+constexpr auto memberName() {
+  // The compiler's text ends with it, in front of a bracket. Written so that it costs the compiler
+  // little: there are more than a thousand.
+  constexpr std::string_view s{__PRETTY_FUNCTION__, sizeof __PRETTY_FUNCTION__ - 1};
+  const std::size_t end = s.size() - 1;
+  std::size_t begin = end;
+  while (s[begin - 1] != ':') --begin;
+  return s.substr(begin, end - begin - (s[end - 1] == '_' ? 1 : 0));
+}
+
+namespace detail {
+template <typename Member>
+struct FieldOfMember;
+template <typename Class, typename T>
+struct FieldOfMember<T Class::*> {
+  using Type = Field<Class, T>;
+};
+}  // namespace detail
+template <auto member>
+using FieldOf = typename detail::FieldOfMember<decltype(member)>::Type;
 
 /// Declares a field in a struct's `fields()`; from that one list come all streams, schemas, JSON
 /// and live parameters.
-template <typename C, typename T>
-constexpr Field<C, T> field(std::string_view name, T C::*member, std::string_view unit = "",
-                            std::string_view doc = "", Range range = {}) {
-  return {name, member, unit, doc, range};
+template <auto member>
+constexpr FieldOf<member> field(Unit unit, Sentence doc, Range range = {}) {
+  return {memberName<member>(), member, unitText(unit), doc.text, range};
+}
+template <auto member>
+constexpr FieldOf<member> field(Sentence doc, Range range = {}) {
+  return {memberName<member>(), member, "", doc.text, range};
+}
+/// For a name that says all.
+template <auto member>
+constexpr FieldOf<member> field(Unit unit, Range range = {}) {
+  return {memberName<member>(), member, unitText(unit), "", range};
+}
+template <auto member>
+constexpr FieldOf<member> field(Range range = {}) {
+  return {memberName<member>(), member, "", "", range};
 }
 
 namespace detail {

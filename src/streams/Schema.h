@@ -44,7 +44,7 @@ struct RosTime {
   static RosTime of(Time time);
 
   static constexpr auto fields() {
-    return Fields{field("sec", &RosTime::sec, "s"), field("nanosec", &RosTime::nanosec, "ns")};
+    return Fields{field<&RosTime::sec>(Unit::s), field<&RosTime::nanosec>(Unit::ns)};
   }
 };
 
@@ -54,7 +54,7 @@ struct RosHeader {
   std::string frameId;
 
   static constexpr auto fields() {
-    return Fields{field("stamp", &RosHeader::stamp), field("frameId", &RosHeader::frameId)};
+    return Fields{field<&RosHeader::stamp>(), field<&RosHeader::frameId>()};
   }
 };
 
@@ -66,9 +66,8 @@ struct CompressedImage {
 
   static Schema schema();
   static constexpr auto fields() {
-    return Fields{field("header", &CompressedImage::header),
-                  field("format", &CompressedImage::format, "", "jpeg or png"),
-                  field("data", &CompressedImage::data)};
+    return Fields{field<&CompressedImage::header>(), field<&CompressedImage::format>("jpeg or png"),
+                  field<&CompressedImage::data>()};
   }
 };
 

@@ -18,9 +18,9 @@ struct Light {
   EnumArray<Mode, int> counts;
 
   static constexpr auto fields() {
-    return Fields{field("mode", &Light::mode),
-                  field("brightness", &Light::brightness, "cd", "of the lamp", {0, 1.5}),
-                  field("counts", &Light::counts)};
+    return Fields{field<&Light::mode>(),
+                  field<&Light::brightness>(Unit::cd, "of the lamp", {0, 1.5}),
+                  field<&Light::counts>()};
   }
 };
 
@@ -32,9 +32,8 @@ struct Lamp {
   std::vector<std::vector<int>> nested;
 
   static constexpr auto fields() {
-    return Fields{field("lastSeen", &Lamp::lastSeen, "ms"), field("position", &Lamp::position),
-                  field("lights", &Lamp::lights), field("poses", &Lamp::poses),
-                  field("nested", &Lamp::nested)};
+    return Fields{field<&Lamp::lastSeen>(Unit::ms), field<&Lamp::position>(),
+                  field<&Lamp::lights>(), field<&Lamp::poses>(), field<&Lamp::nested>()};
   }
 };
 

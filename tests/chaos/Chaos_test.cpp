@@ -353,8 +353,8 @@ struct MotionRequest {
   MotionType type = MotionType::walk;
 
   static constexpr auto fields() {
-    return Fields{field("more", &MotionRequest::more), field("time", &MotionRequest::time),
-                  field("walk", &MotionRequest::walk), field("type", &MotionRequest::type)};
+    return Fields{field<&MotionRequest::more>(), field<&MotionRequest::time>(),
+                  field<&MotionRequest::walk>(), field<&MotionRequest::type>()};
   }
 };
 static_assert(complete<MotionRequest>);
@@ -365,8 +365,7 @@ struct WatchRequest {
   std::string representation;
 
   static constexpr auto fields() {
-    return Fields{field("more", &WatchRequest::more),
-                  field("representation", &WatchRequest::representation)};
+    return Fields{field<&WatchRequest::more>(), field<&WatchRequest::representation>()};
   }
 };
 static_assert(complete<WatchRequest>);

@@ -24,7 +24,7 @@ constexpr gt::SocketLimits limits{8, 300'000, 3};
 struct Load {
   std::vector<std::uint8_t> bytes;
 
-  static constexpr auto fields() { return gt::Fields{gt::field("bytes", &Load::bytes)}; }
+  static constexpr auto fields() { return gt::Fields{gt::field<&Load::bytes>()}; }
 };
 
 /// The fuzzer's bytes, piece by piece; zeros at their end.

@@ -7,11 +7,11 @@ using namespace gt;
 
 struct Sense {
   int value = 0;
-  static constexpr auto fields() { return Fields{field("value", &Sense::value)}; }
+  static constexpr auto fields() { return Fields{field<&Sense::value>()}; }
 };
 struct Guess {
   int value = 0;
-  static constexpr auto fields() { return Fields{field("value", &Guess::value)}; }
+  static constexpr auto fields() { return Fields{field<&Guess::value>()}; }
 };
 struct Guesser {
   using Outputs = std::tuple<Guess>;
@@ -20,7 +20,7 @@ struct Guesser {
 // refused: fields() of a struct leaves out one of its members
 struct Forgetful {
   int a = 0, b = 0;
-  static constexpr auto fields() { return Fields{field("a", &Forgetful::a)}; }
+  static constexpr auto fields() { return Fields{field<&Forgetful::a>()}; }
 };
 const Type& forgetful = typeOf<Forgetful>();
 
@@ -28,7 +28,7 @@ const Type& forgetful = typeOf<Forgetful>();
 struct Repeating {
   int a = 0, b = 0;
   static constexpr auto fields() {
-    return Fields{field("a", &Repeating::a), field("b", &Repeating::a)};
+    return Fields{field<&Repeating::a>(), field<&Repeating::a>().named("b")};
   }
 };
 const Type& repeating = typeOf<Repeating>();
@@ -37,10 +37,33 @@ const Type& repeating = typeOf<Repeating>();
 struct Confusing {
   int a = 0, b = 0;
   static constexpr auto fields() {
-    return Fields{field("a", &Confusing::a), field("a", &Confusing::b)};
+    return Fields{field<&Confusing::a>(), field<&Confusing::b>().named("a")};
   }
 };
 const Type& confusing = typeOf<Confusing>();
+
+// refused: a sentence that leans on another field's
+struct Leaning {
+  int a = 0, b = 0;
+  static constexpr auto fields() {
+    return Fields{field<&Leaning::a>("number of balls"), field<&Leaning::b>("likewise of robots")};
+  }
+};
+const Type& leaning = typeOf<Leaning>();
+
+// refused: a sentence without words
+struct Empty {
+  int a = 0;
+  static constexpr auto fields() { return Fields{field<&Empty::a>("")}; }
+};
+const Type& empty = typeOf<Empty>();
+
+// refused: is not a member of
+struct Far {
+  int a = 0;
+  static constexpr auto fields() { return Fields{field<&Far::a>(Unit::mile)}; }
+};
+const Type& far = typeOf<Far>();
 
 // refused: the enumerators of a streamed enumeration count from 0 without gaps
 enum class Gap { a, b, c = 5 };

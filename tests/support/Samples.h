@@ -18,8 +18,7 @@ struct Byte4 {
   std::uint8_t a = 0, b = 1, c = 2, d = 3;
 
   static constexpr auto fields() {
-    return Fields{field("a", &Byte4::a), field("b", &Byte4::b), field("c", &Byte4::c),
-                  field("d", &Byte4::d)};
+    return Fields{field<&Byte4::a>(), field<&Byte4::b>(), field<&Byte4::c>(), field<&Byte4::d>()};
   }
 };
 
@@ -29,8 +28,8 @@ struct Inner {
   double value = 0;
 
   static constexpr auto fields() {
-    return Fields{field("flag", &Inner::flag), field("text", &Inner::text, "", "any text"),
-                  field("value", &Inner::value, "mm", "a length", {-100, 100})};
+    return Fields{field<&Inner::flag>(), field<&Inner::text>("any text"),
+                  field<&Inner::value>(Unit::mm, "a length", {-100, 100})};
   }
 };
 
@@ -73,17 +72,15 @@ struct Everything {
   static constexpr auto fields() {
     using E = Everything;
     return Fields{
-        field("flag", &E::flag),       field("int8", &E::int8),       field("uint8", &E::uint8),
-        field("int16", &E::int16),     field("uint16", &E::uint16),   field("int32", &E::int32),
-        field("uint32", &E::uint32),   field("int64", &E::int64),     field("uint64", &E::uint64),
-        field("float32", &E::float32), field("float64", &E::float64), field("time", &E::time, "ms"),
-        field("color", &E::color),     field("small", &E::small),     field("text", &E::text),
-        field("doubles", &E::doubles), field("smalls", &E::smalls),   field("inners", &E::inners),
-        field("ints", &E::ints),       field("colors", &E::colors),   field("pixels", &E::pixels),
-        field("texts", &E::texts),     field("list", &E::list),       field("points", &E::points),
-        field("poses", &E::poses),     field("byColor", &E::byColor), field("lit", &E::lit),
-        field("vector2", &E::vector2), field("vector3", &E::vector3), field("matrix", &E::matrix),
-        field("pose2", &E::pose2),     field("pose3", &E::pose3),     field("inner", &E::inner)};
+        field<&E::flag>(),    field<&E::int8>(),    field<&E::uint8>(),   field<&E::int16>(),
+        field<&E::uint16>(),  field<&E::int32>(),   field<&E::uint32>(),  field<&E::int64>(),
+        field<&E::uint64>(),  field<&E::float32>(), field<&E::float64>(), field<&E::time>(Unit::ms),
+        field<&E::color>(),   field<&E::small>(),   field<&E::text>(),    field<&E::doubles>(),
+        field<&E::smalls>(),  field<&E::inners>(),  field<&E::ints>(),    field<&E::colors>(),
+        field<&E::pixels>(),  field<&E::texts>(),   field<&E::list>(),    field<&E::points>(),
+        field<&E::poses>(),   field<&E::byColor>(), field<&E::lit>(),     field<&E::vector2>(),
+        field<&E::vector3>(), field<&E::matrix>(),  field<&E::pose2>(),   field<&E::pose3>(),
+        field<&E::inner>()};
   }
 };
 

@@ -8,25 +8,25 @@ struct Reading {
   Time time;
   double value = 0;
   static constexpr auto fields() {
-    return Fields{field("time", &Reading::time), field("value", &Reading::value)};
+    return Fields{field<&Reading::time>(), field<&Reading::value>()};
   }
 };
 struct Estimate {
   double value = 0;
-  static constexpr auto fields() { return Fields{field("value", &Estimate::value)}; }
+  static constexpr auto fields() { return Fields{field<&Estimate::value>()}; }
 };
 struct Command {
   double value = 0;
   int cycles = 0;
   static constexpr auto fields() {
-    return Fields{field("value", &Command::value), field("cycles", &Command::cycles)};
+    return Fields{field<&Command::value>(), field<&Command::cycles>()};
   }
 };
 
 /// What only some platforms send.
 struct Secret {
   double value = 0;
-  static constexpr auto fields() { return Fields{field("value", &Secret::value)}; }
+  static constexpr auto fields() { return Fields{field<&Secret::value>()}; }
 };
 
 struct Filter {
@@ -41,7 +41,7 @@ class SmoothFilter {
   struct Parameters {
     double gain = 0.5;
     static constexpr auto fields() {
-      return Fields{field("gain", &Parameters::gain, "", "trust in the reading", {0, 1})};
+      return Fields{field<&Parameters::gain>("trust in the reading", {0, 1})};
     }
   };
   Parameters parameters;

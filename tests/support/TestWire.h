@@ -54,7 +54,7 @@ inline std::string freeTcpEndpoint() {
 struct NumberPackage {
   int number = 0;
 
-  static constexpr auto fields() { return Fields{field("number", &NumberPackage::number)}; }
+  static constexpr auto fields() { return Fields{field<&NumberPackage::number>()}; }
 };
 
 namespace newer {
@@ -65,7 +65,7 @@ struct NumberPackage {
   double number = 0;
 
   static constexpr auto fields() {
-    return Fields{field("more", &NumberPackage::more), field("number", &NumberPackage::number)};
+    return Fields{field<&NumberPackage::more>(), field<&NumberPackage::number>()};
   }
 };
 static_assert(complete<NumberPackage>);

@@ -16,7 +16,7 @@ struct BehaviorControlRequest {
 
     bool operator==(const Output&) const = default;
     static constexpr auto fields() {
-      return Fields{field("symbol", &Output::symbol), field("value", &Output::value)};
+      return Fields{field<&Output::symbol>(), field<&Output::value>()};
     }
   };
 
@@ -30,12 +30,12 @@ struct BehaviorControlRequest {
   static constexpr auto fields() {
     using R = BehaviorControlRequest;
     return Fields{
-        field("root", &R::root, "", "executed instead of the agent's root option; empty: that"),
-        field("basicBehavior", &R::basicBehavior, "", "whether the root is one, not an option"),
-        field("parameters", &R::parameters, "",
-              "of the root, in the order of its declaration: numbers, true, false, elements"),
-        field("outputs", &R::outputs, "", "that keep a value"),
-        field("shown", &R::shown, "", "symbols whose values BehaviorState tells")};
+        field<&R::root>("executed instead of the agent's root option; empty: that"),
+        field<&R::basicBehavior>("whether the root is one, not an option"),
+        field<&R::parameters>(
+            "of the root, in the order of its declaration: numbers, true, false, elements"),
+        field<&R::outputs>("that keep a value"),
+        field<&R::shown>("symbols whose values BehaviorState tells")};
   }
 };
 

@@ -13,9 +13,7 @@ struct BehaviorRequest {
     std::string path;
     std::string text;
 
-    static constexpr auto fields() {
-      return Fields{field("path", &File::path), field("text", &File::text)};
-    }
+    static constexpr auto fields() { return Fields{field<&File::path>(), field<&File::text>()}; }
   };
 
   std::string path;
@@ -23,9 +21,9 @@ struct BehaviorRequest {
 
   static constexpr auto fields() {
     return Fields{
-        field("path", &BehaviorRequest::path, "", "the file with the agents"),
-        field("files", &BehaviorRequest::files, "",
-              "that one and all that it includes; none: the robot reads them from its disk")};
+        field<&BehaviorRequest::path>("the file with the agents"),
+        field<&BehaviorRequest::files>(
+            "that one and all that it includes; none: the robot reads them from its disk")};
   }
 };
 

@@ -14,8 +14,8 @@ struct BehaviorValue {
   std::string unit{};
 
   static constexpr auto fields() {
-    return Fields{field("name", &BehaviorValue::name), field("value", &BehaviorValue::value),
-                  field("unit", &BehaviorValue::unit, "", "as the behavior declares it")};
+    return Fields{field<&BehaviorValue::name>(), field<&BehaviorValue::value>(),
+                  field<&BehaviorValue::unit>("as the behavior declares it")};
   }
 };
 
@@ -32,13 +32,12 @@ struct BehaviorState {
     std::vector<BehaviorValue> parameters;
 
     static constexpr auto fields() {
-      return Fields{
-          field("name", &Activation::name),
-          field("state", &Activation::state, "", "of an option; empty: a basic behavior"),
-          field("depth", &Activation::depth, "", "of the call; the root is at 0"),
-          field("optionTime", &Activation::optionTime, "ms", "since it became active"),
-          field("stateTime", &Activation::stateTime, "ms", "since its state became active"),
-          field("parameters", &Activation::parameters)};
+      return Fields{field<&Activation::name>(),
+                    field<&Activation::state>("of an option; empty: a basic behavior"),
+                    field<&Activation::depth>("of the call; the root is at 0"),
+                    field<&Activation::optionTime>(Unit::ms, "since it became active"),
+                    field<&Activation::stateTime>(Unit::ms, "since its state became active"),
+                    field<&Activation::parameters>()};
     }
   };
 
@@ -48,11 +47,10 @@ struct BehaviorState {
   std::vector<BehaviorValue> outputs;
 
   static constexpr auto fields() {
-    return Fields{
-        field("agent", &BehaviorState::agent),
-        field("activations", &BehaviorState::activations, "", "in the order of execution"),
-        field("inputs", &BehaviorState::inputs, "", "input symbols that were asked for"),
-        field("outputs", &BehaviorState::outputs, "", "output symbols that were asked for")};
+    return Fields{field<&BehaviorState::agent>(),
+                  field<&BehaviorState::activations>("in the order of execution"),
+                  field<&BehaviorState::inputs>("input symbols that were asked for"),
+                  field<&BehaviorState::outputs>("output symbols that were asked for")};
   }
 };
 

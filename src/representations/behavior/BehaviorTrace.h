@@ -12,7 +12,7 @@ struct BehaviorTrace {
   std::string text;
 
   static constexpr auto fields() {
-    return Fields{field("text", &BehaviorTrace::text, "", "see xabsl/trace/TraceFile.h")};
+    return Fields{field<&BehaviorTrace::text>("see xabsl/trace/TraceFile.h")};
   }
 };
 

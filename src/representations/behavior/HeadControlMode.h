@@ -30,14 +30,14 @@ struct HeadControlMode {
 
   static constexpr auto fields() {
     return Fields{
-        field("mode", &HeadControlMode::mode),
-        field("point", &HeadControlMode::point, "mm", "for lookAtPoint, in the robot's system"),
-        field("pixel", &HeadControlMode::pixel, "pixel",
-              "for lookAtPoint: where the point shall appear in the image"),
-        field("scanTilt", &HeadControlMode::scanTilt, "rad",
-              "for scanLeftRight: angle of the tilt joint, which is kept", {-1.5, 0.8}),
-        field("scanRange", &HeadControlMode::scanRange, "rad",
-              "for scanLeftRight: how far the head turns to each side", {0, 1.6})};
+        field<&HeadControlMode::mode>(),
+        field<&HeadControlMode::point>(Unit::mm, "for lookAtPoint, in the robot's system"),
+        field<&HeadControlMode::pixel>(
+            Unit::pixel, "for lookAtPoint: where the point shall appear in the image"),
+        field<&HeadControlMode::scanTilt>(
+            Unit::rad, "for scanLeftRight: angle of the tilt joint, which is kept", {-1.5, 0.8}),
+        field<&HeadControlMode::scanRange>(
+            Unit::rad, "for scanLeftRight: how far the head turns to each side", {0, 1.6})};
   }
 };
 

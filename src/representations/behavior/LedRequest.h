@@ -24,7 +24,7 @@ struct LedRequest {
   EnumArray<Led, LedMode> modes;
 
   static constexpr auto fields() {
-    return Fields{field("modes", &LedRequest::modes, "", "in the order of Led")};
+    return Fields{field<&LedRequest::modes>("in the order of Led")};
   }
 };
 
@@ -32,9 +32,7 @@ struct LedRequest {
 struct LedValue {
   EnumArray<Led, bool> lit;
 
-  static constexpr auto fields() {
-    return Fields{field("lit", &LedValue::lit, "", "in the order of Led")};
-  }
+  static constexpr auto fields() { return Fields{field<&LedValue::lit>("in the order of Led")}; }
 };
 
 }  // namespace gt

@@ -58,15 +58,14 @@ struct MotionRequest {
   }
 
   static constexpr auto fields() {
-    return Fields{field("type", &MotionRequest::type),
-                  field("walkType", &MotionRequest::walkType),
-                  field("walk", &MotionRequest::walk, "mm/s, rad/s",
-                        "speed ahead, left and counterclockwise"),
-                  field("specialAction", &MotionRequest::specialAction, "",
-                        "name of the motion description; empty: none"),
-                  field("tail", &MotionRequest::tail),
-                  field("time", &MotionRequest::time, "ms",
-                        "of the decision; too old, the robot stands; never: of no age")};
+    return Fields{
+        field<&MotionRequest::type>(),
+        field<&MotionRequest::walkType>(),
+        field<&MotionRequest::walk>(Unit::mmRadPerS, "speed ahead, left and counterclockwise"),
+        field<&MotionRequest::specialAction>("name of the motion description; empty: none"),
+        field<&MotionRequest::tail>(),
+        field<&MotionRequest::time>(
+            Unit::ms, "of the decision; too old, the robot stands; never: of no age")};
   }
 };
 

@@ -42,12 +42,12 @@ struct PotentialRule {
   static constexpr auto fields() {
     using R = PotentialRule;
     return Fields{
-        field("effect", &R::effect), field("object", &R::object), field("function", &R::function),
-        field("strength", &R::strength, "", "greatest force; 1 walks at full speed", {0, 100}),
-        field("range", &R::range, "mm",
-              "attract: nearer than that the force decreases; repel: farther than that "
-              "there is none",
-              {1, 1e4})};
+        field<&R::effect>(), field<&R::object>(), field<&R::function>(),
+        field<&R::strength>("greatest force; 1 walks at full speed", {0, 100}),
+        field<&R::range>(Unit::mm,
+                         "attract: nearer than that the force decreases; repel: farther than that "
+                         "there is none",
+                         {1, 1e4})};
   }
 };
 
@@ -55,7 +55,7 @@ struct PotentialRule {
 struct PotentialField {
   std::vector<PotentialRule> rules;
 
-  static constexpr auto fields() { return Fields{field("rules", &PotentialField::rules)}; }
+  static constexpr auto fields() { return Fields{field<&PotentialField::rules>()}; }
 };
 
 /// The fields of all continuous basic behaviors. Configuration, from `potentialfields.cfg`.
@@ -64,9 +64,9 @@ struct PotentialFields {
 
   static constexpr auto fields() {
     using F = PotentialFields;
-    return Fields{field("goToBall", &F::goToBall, "", "of go_to_ball_continuously"),
-                  field("goToOwnGoal", &F::goToOwnGoal, "", "of go_to_own_goal"),
-                  field("goToPoint", &F::goToPoint, "", "of go_to_point_continuously")};
+    return Fields{field<&F::goToBall>("of go_to_ball_continuously"),
+                  field<&F::goToOwnGoal>("of go_to_own_goal"),
+                  field<&F::goToPoint>("of go_to_point_continuously")};
   }
 };
 

@@ -13,7 +13,7 @@ struct SoundRequest {
   Sound sound = Sound::none;
 
   static constexpr auto fields() {
-    return Fields{field("sound", &SoundRequest::sound, "", "played once, when it is requested")};
+    return Fields{field<&SoundRequest::sound>("played once, when it is requested")};
   }
 };
 
@@ -23,8 +23,8 @@ struct Speaker {
   Time began = never();
 
   static constexpr auto fields() {
-    return Fields{field("sound", &Speaker::sound, "", "the last that was begun"),
-                  field("began", &Speaker::began, "ms")};
+    return Fields{field<&Speaker::sound>("the last that was begun"),
+                  field<&Speaker::began>(Unit::ms)};
   }
 };
 

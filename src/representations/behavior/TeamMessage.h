@@ -21,14 +21,14 @@ struct BehaviorTeamMessage {
 
   static constexpr auto fields() {
     return Fields{
-        field("role", &BehaviorTeamMessage::role),
-        field("estimatedTimeToReachBall", &BehaviorTeamMessage::estimatedTimeToReachBall, "ms"),
-        field("striker", &BehaviorTeamMessage::striker, "",
-              "number of the player that the sender takes for the striker, 0 nobody", {0, 4}),
-        field("handOver", &BehaviorTeamMessage::handOver, "",
-              "number of the decision that made it striker; the highest one counts", {0, 1000000}),
-        field(
-            "kickTarget", &BehaviorTeamMessage::kickTarget, "mm",
+        field<&BehaviorTeamMessage::role>(),
+        field<&BehaviorTeamMessage::estimatedTimeToReachBall>(Unit::ms),
+        field<&BehaviorTeamMessage::striker>(
+            "number of the player that the sender takes for the striker, 0 nobody", {0, 4}),
+        field<&BehaviorTeamMessage::handOver>(
+            "number of the decision that made it striker; the highest one counts", {0, 1000000}),
+        field<&BehaviorTeamMessage::kickTarget>(
+            Unit::mm,
             "where the kick that it performs or plans brings the ball if nothing is in its way, on "
             "the field")};
   }
@@ -42,11 +42,10 @@ struct SeenOpponent {
   double standardDeviation = 0;
 
   static constexpr auto fields() {
-    return Fields{
-        field("position", &SeenOpponent::position, "mm", "on the field"),
-        field("lastSeen", &SeenOpponent::lastSeen, "ms", "by the sender's clock"),
-        field("validity", &SeenOpponent::validity, "", "0: there is none", {0, 1}),
-        field("standardDeviation", &SeenOpponent::standardDeviation, "mm", "of the position")};
+    return Fields{field<&SeenOpponent::position>(Unit::mm, "on the field"),
+                  field<&SeenOpponent::lastSeen>(Unit::ms, "by the sender's clock"),
+                  field<&SeenOpponent::validity>("0: there is none", {0, 1}),
+                  field<&SeenOpponent::standardDeviation>(Unit::mm, "of the position")};
   }
 };
 
@@ -64,17 +63,16 @@ struct TeamMessage {
   std::array<SeenOpponent, 4> opponents;
 
   static constexpr auto fields() {
-    return Fields{
-        field("playerNumber", &TeamMessage::playerNumber, "", "1 to 4; 0 nobody", {0, 4}),
-        field("timeSent", &TeamMessage::timeSent, "ms", "by the sender's clock"),
-        field("robotPose", &TeamMessage::robotPose, "mm, rad"),
-        field("robotPoseValidity", &TeamMessage::robotPoseValidity, "", "", {0, 1}),
-        field("ballPosition", &TeamMessage::ballPosition, "mm", "on the field"),
-        field("ballSpeed", &TeamMessage::ballSpeed, "mm/s", "on the field"),
-        field("ballStandardDeviation", &TeamMessage::ballStandardDeviation, "mm", "BallModel"),
-        field("ballLastSeen", &TeamMessage::ballLastSeen, "ms", "by the sender's clock"),
-        field("behavior", &TeamMessage::behavior),
-        field("opponents", &TeamMessage::opponents)};
+    return Fields{field<&TeamMessage::playerNumber>("1 to 4; 0 nobody", {0, 4}),
+                  field<&TeamMessage::timeSent>(Unit::ms, "by the sender's clock"),
+                  field<&TeamMessage::robotPose>(Unit::mmRad),
+                  field<&TeamMessage::robotPoseValidity>({0, 1}),
+                  field<&TeamMessage::ballPosition>(Unit::mm, "on the field"),
+                  field<&TeamMessage::ballSpeed>(Unit::mmPerS, "on the field"),
+                  field<&TeamMessage::ballStandardDeviation>(Unit::mm, "BallModel"),
+                  field<&TeamMessage::ballLastSeen>(Unit::ms, "by the sender's clock"),
+                  field<&TeamMessage::behavior>(),
+                  field<&TeamMessage::opponents>()};
   }
 };
 
@@ -85,15 +83,14 @@ struct TeamMessages {
     Time timeReceived = never();
 
     static constexpr auto fields() {
-      return Fields{field("message", &Received::message),
-                    field("timeReceived", &Received::timeReceived, "ms", "by the own clock")};
+      return Fields{field<&Received::message>(),
+                    field<&Received::timeReceived>(Unit::ms, "by the own clock")};
     }
   };
   std::array<Received, 4> byPlayer;
 
   static constexpr auto fields() {
-    return Fields{
-        field("byPlayer", &TeamMessages::byPlayer, "", "index is the player's number - 1")};
+    return Fields{field<&TeamMessages::byPlayer>("index is the player's number - 1")};
   }
 };
 

@@ -51,17 +51,16 @@ struct CameraInfo {
 
   static constexpr auto fields() {
     return Fields{
-        field("width", &CameraInfo::width, "pixel", "", {1, 4096}),
-        field("height", &CameraInfo::height, "pixel", "", {1, 4096}),
-        field("focalX", &CameraInfo::focalX, "pixel", "focal length over pixel width", {1, 1e5}),
-        field("focalY", &CameraInfo::focalY, "pixel", "focal length over pixel height", {1, 1e5}),
-        field("centerX", &CameraInfo::centerX, "pixel", "where the optical axis meets the image"),
-        field("centerY", &CameraInfo::centerY, "pixel"),
-        field("rowTime", &CameraInfo::rowTime, "ms",
-              "from the exposure of a row to that of the next", {0, 10}),
-        field("distortion2", &CameraInfo::distortion2, "", "of the lens: k2 of LensDistortion",
-              {-1, 1}),
-        field("distortion4", &CameraInfo::distortion4, "", "k4 of LensDistortion", {-1, 1})};
+        field<&CameraInfo::width>(Unit::pixel, {1, 4096}),
+        field<&CameraInfo::height>(Unit::pixel, {1, 4096}),
+        field<&CameraInfo::focalX>(Unit::pixel, "focal length over pixel width", {1, 1e5}),
+        field<&CameraInfo::focalY>(Unit::pixel, "focal length over pixel height", {1, 1e5}),
+        field<&CameraInfo::centerX>(Unit::pixel, "where the optical axis meets the image"),
+        field<&CameraInfo::centerY>(Unit::pixel),
+        field<&CameraInfo::rowTime>(Unit::ms, "from the exposure of a row to that of the next",
+                                    {0, 10}),
+        field<&CameraInfo::distortion2>("of the lens: k2 of LensDistortion", {-1, 1}),
+        field<&CameraInfo::distortion4>("k4 of LensDistortion", {-1, 1})};
   }
 };
 

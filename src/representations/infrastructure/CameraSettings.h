@@ -18,9 +18,8 @@ struct CameraSettings {
 
   friend bool operator==(const CameraSettings&, const CameraSettings&) = default;
   static constexpr auto fields() {
-    return Fields{field("whiteBalance", &CameraSettings::whiteBalance),
-                  field("gain", &CameraSettings::gain),
-                  field("shutterSpeed", &CameraSettings::shutterSpeed)};
+    return Fields{field<&CameraSettings::whiteBalance>(), field<&CameraSettings::gain>(),
+                  field<&CameraSettings::shutterSpeed>()};
   }
 };
 

@@ -14,9 +14,8 @@ struct MarkedRobot {
   Pose2D pose;
 
   static constexpr auto fields() {
-    return Fields{field("teamColor", &MarkedRobot::teamColor),
-                  field("number", &MarkedRobot::number, "", "1 to 4"),
-                  field("pose", &MarkedRobot::pose, "mm, rad", "in the red team's coordinates")};
+    return Fields{field<&MarkedRobot::teamColor>(), field<&MarkedRobot::number>("1 to 4"),
+                  field<&MarkedRobot::pose>(Unit::mmRad, "in the red team's coordinates")};
   }
 };
 
@@ -31,10 +30,9 @@ struct CeilingCameraPercept {
 
   static constexpr auto fields() {
     using P = CeilingCameraPercept;
-    return Fields{field("time", &P::time, "ms", "when the image was taken"),
-                  field("robots", &P::robots),
-                  field("ballSeen", &P::ballSeen, "", "not hidden under a robot, nor overlooked"),
-                  field("ball", &P::ball, "mm", "in the red team's coordinates")};
+    return Fields{field<&P::time>(Unit::ms, "when the image was taken"), field<&P::robots>(),
+                  field<&P::ballSeen>("not hidden under a robot, nor overlooked"),
+                  field<&P::ball>(Unit::mm, "in the red team's coordinates")};
   }
 };
 

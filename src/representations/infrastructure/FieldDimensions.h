@@ -31,32 +31,30 @@ struct FieldDimensions {
   bool operator==(const FieldDimensions&) const = default;
 
   static constexpr auto fields() {
-    return Fields{field("xGroundline", &FieldDimensions::xGroundline, "mm",
-                        "opponent's; the own one at -x", {1, 1e5}),
-                  field("xGoalBack", &FieldDimensions::xGoalBack, "mm", "", {1, 1e5}),
-                  field("xPenaltyArea", &FieldDimensions::xPenaltyArea, "mm", "", {1, 1e5}),
-                  field("xSideCorner", &FieldDimensions::xSideCorner, "mm",
-                        "where the corner's slope leaves the side wall", {1, 1e5}),
-                  field("ySideline", &FieldDimensions::ySideline, "mm", "left; the right one at -y",
-                        {1, 1e5}),
-                  field("yPenaltyArea", &FieldDimensions::yPenaltyArea, "mm", "", {1, 1e5}),
-                  field("yGoal", &FieldDimensions::yGoal, "mm", "left post", {1, 1e5}),
-                  field("ySideCorner", &FieldDimensions::ySideCorner, "mm",
-                        "where the corner's slope meets the ground line", {1, 1e5}),
-                  field("centerCircleRadius", &FieldDimensions::centerCircleRadius, "mm",
-                        "to the line's middle", {1, 1e5}),
-                  field("lineWidth", &FieldDimensions::lineWidth, "mm", "", {1, 1000}),
-                  field("wallHeight", &FieldDimensions::wallHeight, "mm", "", {0, 1e4}),
-                  field("goalHeight", &FieldDimensions::goalHeight, "mm", "", {1, 1e4}),
-                  field("flagX", &FieldDimensions::flagX, "mm",
-                        "of the corner flags; the middle ones at 0", {1, 1e5}),
-                  field("flagY", &FieldDimensions::flagY, "mm", "of all flags", {1, 1e5}),
-                  field("flagRadius", &FieldDimensions::flagRadius, "mm", "", {1, 1000}),
-                  field("flagBottom", &FieldDimensions::flagBottom, "mm",
-                        "height of the lower edge of the lower color", {0, 1e4}),
-                  field("flagTop", &FieldDimensions::flagTop, "mm",
-                        "height of the upper edge of the upper color", {1, 1e4}),
-                  field("ballRadius", &FieldDimensions::ballRadius, "mm", "", {1, 1000})};
+    return Fields{
+        field<&FieldDimensions::xGroundline>(Unit::mm, "opponent's; the own one at -x", {1, 1e5}),
+        field<&FieldDimensions::xGoalBack>(Unit::mm, {1, 1e5}),
+        field<&FieldDimensions::xPenaltyArea>(Unit::mm, {1, 1e5}),
+        field<&FieldDimensions::xSideCorner>(
+            Unit::mm, "where the corner's slope leaves the side wall", {1, 1e5}),
+        field<&FieldDimensions::ySideline>(Unit::mm, "left; the right one at -y", {1, 1e5}),
+        field<&FieldDimensions::yPenaltyArea>(Unit::mm, {1, 1e5}),
+        field<&FieldDimensions::yGoal>(Unit::mm, "left post", {1, 1e5}),
+        field<&FieldDimensions::ySideCorner>(
+            Unit::mm, "where the corner's slope meets the ground line", {1, 1e5}),
+        field<&FieldDimensions::centerCircleRadius>(Unit::mm, "to the line's middle", {1, 1e5}),
+        field<&FieldDimensions::lineWidth>(Unit::mm, {1, 1000}),
+        field<&FieldDimensions::wallHeight>(Unit::mm, {0, 1e4}),
+        field<&FieldDimensions::goalHeight>(Unit::mm, {1, 1e4}),
+        field<&FieldDimensions::flagX>(Unit::mm, "of the corner flags; the middle ones at 0",
+                                       {1, 1e5}),
+        field<&FieldDimensions::flagY>(Unit::mm, "of all flags", {1, 1e5}),
+        field<&FieldDimensions::flagRadius>(Unit::mm, {1, 1000}),
+        field<&FieldDimensions::flagBottom>(Unit::mm, "height of the lower edge of the lower color",
+                                            {0, 1e4}),
+        field<&FieldDimensions::flagTop>(Unit::mm, "height of the upper edge of the upper color",
+                                         {1, 1e4}),
+        field<&FieldDimensions::ballRadius>(Unit::mm, {1, 1000})};
   }
 };
 

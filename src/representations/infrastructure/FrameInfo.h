@@ -9,7 +9,7 @@ namespace gt {
 struct FrameInfo {
   Time time;
 
-  static constexpr auto fields() { return Fields{field("time", &FrameInfo::time, "ms")}; }
+  static constexpr auto fields() { return Fields{field<&FrameInfo::time>(Unit::ms)}; }
 };
 
 }  // namespace gt

@@ -28,13 +28,12 @@ struct GameControlData {
   Time timeOfLastChange;
 
   static constexpr auto fields() {
-    return Fields{
-        field("state", &GameControlData::state),
-        field("kickOff", &GameControlData::kickOff),
-        field("penalty", &GameControlData::penalty),
-        field("ownScore", &GameControlData::ownScore),
-        field("opponentScore", &GameControlData::opponentScore),
-        field("timeOfLastChange", &GameControlData::timeOfLastChange, "ms", "of the state")};
+    return Fields{field<&GameControlData::state>(),
+                  field<&GameControlData::kickOff>(),
+                  field<&GameControlData::penalty>(),
+                  field<&GameControlData::ownScore>(),
+                  field<&GameControlData::opponentScore>(),
+                  field<&GameControlData::timeOfLastChange>(Unit::ms, "of the state")};
   }
 };
 

@@ -12,8 +12,8 @@ struct Pixel {
   std::uint8_t y = 0, cb = 128, cr = 128, unused = 0;
 
   static constexpr auto fields() {
-    return Fields{field("y", &Pixel::y), field("cb", &Pixel::cb), field("cr", &Pixel::cr),
-                  field("unused", &Pixel::unused)};
+    return Fields{field<&Pixel::y>(), field<&Pixel::cb>(), field<&Pixel::cr>(),
+                  field<&Pixel::unused>()};
   }
 };
 static_assert(sizeof(Pixel) == 4);
@@ -43,9 +43,8 @@ struct Image {
   }
 
   static constexpr auto fields() {
-    return Fields{field("time", &Image::time, "ms", "when the last row was exposed"),
-                  field("info", &Image::info),
-                  field("pixels", &Image::pixels, "", "row by row from the top")};
+    return Fields{field<&Image::time>(Unit::ms, "when the last row was exposed"),
+                  field<&Image::info>(), field<&Image::pixels>("row by row from the top")};
   }
 };
 

@@ -9,9 +9,8 @@ struct PidGains {
 
   friend bool operator==(const PidGains&, const PidGains&) = default;
   static constexpr auto fields() {
-    return Fields{field("p", &PidGains::p, "", "word", {0, 255}),
-                  field("i", &PidGains::i, "", "word", {0, 255}),
-                  field("d", &PidGains::d, "", "word", {0, 255})};
+    return Fields{field<&PidGains::p>("word", {0, 255}), field<&PidGains::i>("word", {0, 255}),
+                  field<&PidGains::d>("word", {0, 255})};
   }
 };
 
@@ -57,7 +56,7 @@ struct JointGains {
   }
 
   static constexpr auto fields() {
-    return Fields{field("gains", &JointGains::gains, "", "in the order of Joint")};
+    return Fields{field<&JointGains::gains>("in the order of Joint")};
   }
 };
 

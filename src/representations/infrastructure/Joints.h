@@ -55,7 +55,7 @@ struct JointData {
   JointAngles angles;
 
   static constexpr auto fields() {
-    return Fields{field("angles", &JointData::angles, "rad", "in the order of Joint")};
+    return Fields{field<&JointData::angles>(Unit::rad, "in the order of Joint")};
   }
 };
 

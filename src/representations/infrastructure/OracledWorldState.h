@@ -14,10 +14,8 @@ struct OracledRobot {
   Pose2D pose;
 
   static constexpr auto fields() {
-    return Fields{
-        field("teamColor", &OracledRobot::teamColor),
-        field("number", &OracledRobot::number, "", "1 to 4"),
-        field("pose", &OracledRobot::pose, "mm, rad", "in this robot's field coordinates")};
+    return Fields{field<&OracledRobot::teamColor>(), field<&OracledRobot::number>("1 to 4"),
+                  field<&OracledRobot::pose>(Unit::mmRad, "in this robot's field coordinates")};
   }
 };
 
@@ -31,11 +29,11 @@ struct OracledWorldState {
   std::vector<OracledRobot> others;
 
   static constexpr auto fields() {
-    return Fields{field("time", &OracledWorldState::time, "ms"),
-                  field("robotPose", &OracledWorldState::robotPose, "mm, rad"),
-                  field("ballPosition", &OracledWorldState::ballPosition, "mm", "on the field"),
-                  field("ballSpeed", &OracledWorldState::ballSpeed, "mm/s", "on the field"),
-                  field("others", &OracledWorldState::others, "", "team mates and opponents")};
+    return Fields{field<&OracledWorldState::time>(Unit::ms),
+                  field<&OracledWorldState::robotPose>(Unit::mmRad),
+                  field<&OracledWorldState::ballPosition>(Unit::mm, "on the field"),
+                  field<&OracledWorldState::ballSpeed>(Unit::mmPerS, "on the field"),
+                  field<&OracledWorldState::others>("team mates and opponents")};
   }
 };
 

@@ -26,7 +26,7 @@ struct Player {
   }  ///< 1 to 4, as the game manager counts.
 
   static constexpr auto fields() {
-    return Fields{field("teamColor", &Player::teamColor), field("playerRole", &Player::role)};
+    return Fields{field<&Player::teamColor>(), field<&Player::role>().named("playerRole")};
   }
 };
 

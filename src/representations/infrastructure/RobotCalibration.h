@@ -15,14 +15,14 @@ struct RobotCalibration {
   bool operator==(const RobotCalibration&) const = default;
 
   static constexpr auto fields() {
-    return Fields{field("bodyTiltOffset", &RobotCalibration::bodyTiltOffset, "rad",
-                        "added to the body's tilt, + nose up", {-0.5, 0.5}),
-                  field("bodyRollOffset", &RobotCalibration::bodyRollOffset, "rad",
-                        "added to the body's roll, + right side down", {-0.5, 0.5}),
-                  field("bodyHeightOffset", &RobotCalibration::bodyHeightOffset, "mm",
-                        "added to the body's height", {-50, 50}),
-                  field("headRollOffset", &RobotCalibration::headRollOffset, "rad",
-                        "added to the head's roll, + right ear down", {-0.5, 0.5})};
+    return Fields{field<&RobotCalibration::bodyTiltOffset>(
+                      Unit::rad, "added to the body's tilt, + nose up", {-0.5, 0.5}),
+                  field<&RobotCalibration::bodyRollOffset>(
+                      Unit::rad, "added to the body's roll, + right side down", {-0.5, 0.5}),
+                  field<&RobotCalibration::bodyHeightOffset>(Unit::mm, "added to the body's height",
+                                                             {-50, 50}),
+                  field<&RobotCalibration::headRollOffset>(
+                      Unit::rad, "added to the head's roll, + right ear down", {-0.5, 0.5})};
   }
 };
 

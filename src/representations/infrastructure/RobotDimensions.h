@@ -20,20 +20,20 @@ struct RobotDimensions {
 
   static constexpr auto fields() {
     return Fields{
-        field("shoulderX", &RobotDimensions::shoulderX, "mm",
-              "of the fore legs; the hind ones at -x"),
-        field("shoulderY", &RobotDimensions::shoulderY, "mm", "of the left legs"),
-        field("upperLeg", &RobotDimensions::upperLeg, "mm",
-              "shoulder to knee of the left fore leg, joints 0; right legs mirror y, hind legs "
-              "mirror x"),
-        field("lowerLegFore", &RobotDimensions::lowerLegFore, "mm", "knee to foot ball, knee 0"),
-        field("lowerLegHind", &RobotDimensions::lowerLegHind, "mm",
-              "knee to foot ball, knee 0, before the mirroring of x"),
-        field("footRadius", &RobotDimensions::footRadius, "mm"),
-        field("neckX", &RobotDimensions::neckX, "mm", "tilt axis before the body's origin"),
-        field("neckZ", &RobotDimensions::neckZ, "mm", "tilt axis above the body's origin"),
-        field("neckToPan", &RobotDimensions::neckToPan, "mm", "along the neck"),
-        field("panToCamera", &RobotDimensions::panToCamera, "mm", "forward")};
+        field<&RobotDimensions::shoulderX>(Unit::mm, "of the fore legs; the hind ones at -x"),
+        field<&RobotDimensions::shoulderY>(Unit::mm, "of the left legs"),
+        field<&RobotDimensions::upperLeg>(
+            Unit::mm,
+            "shoulder to knee of the left fore leg, joints 0; right legs mirror y, hind legs "
+            "mirror x"),
+        field<&RobotDimensions::lowerLegFore>(Unit::mm, "knee to foot ball, knee 0"),
+        field<&RobotDimensions::lowerLegHind>(
+            Unit::mm, "knee to foot ball, knee 0, before the mirroring of x"),
+        field<&RobotDimensions::footRadius>(Unit::mm),
+        field<&RobotDimensions::neckX>(Unit::mm, "tilt axis before the body's origin"),
+        field<&RobotDimensions::neckZ>(Unit::mm, "tilt axis above the body's origin"),
+        field<&RobotDimensions::neckToPan>(Unit::mm, "along the neck"),
+        field<&RobotDimensions::panToCamera>(Unit::mm, "forward")};
   }
 };
 

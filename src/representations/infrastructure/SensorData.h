@@ -18,12 +18,13 @@ struct SensorData {
   EnumArray<Switch, bool> switches;
 
   static constexpr auto fields() {
-    return Fields{field("time", &SensorData::time, "ms"),
-                  field("joints", &SensorData::joints, "rad", "measured, in the order of Joint"),
-                  field("acceleration", &SensorData::acceleration, "mm/s^2",
-                        "specific force along x ahead, y left, z up; z is +9810 at rest"),
-                  field("psd", &SensorData::psd, "mm", "distance sensor in the head", {100, 900}),
-                  field("switches", &SensorData::switches, "", "pressed, in the order of Switch")};
+    return Fields{
+        field<&SensorData::time>(Unit::ms),
+        field<&SensorData::joints>(Unit::rad, "measured, in the order of Joint"),
+        field<&SensorData::acceleration>(
+            Unit::mmPerS2, "specific force along x ahead, y left, z up; z is +9810 at rest"),
+        field<&SensorData::psd>(Unit::mm, "distance sensor in the head", {100, 900}),
+        field<&SensorData::switches>("pressed, in the order of Switch")};
   }
 };
 
@@ -45,7 +46,7 @@ struct SensorDataBuffer {
   }
 
   static constexpr auto fields() {
-    return Fields{field("frames", &SensorDataBuffer::frames, "", "oldest first")};
+    return Fields{field<&SensorDataBuffer::frames>("oldest first")};
   }
 };
 

@@ -14,13 +14,12 @@ struct BallModel {
   double standardDeviation = 0;
 
   static constexpr auto fields() {
-    return Fields{
-        field("position", &BallModel::position, "mm", "on the ground, relative to the robot"),
-        field("speed", &BallModel::speed, "mm/s", "over ground, in the robot's axes"),
-        field("lastSeen", &BallModel::lastSeen, "ms"),
-        field("consecutiveTimeSeen", &BallModel::consecutiveTimeSeen, "ms", "report 3.4.2"),
-        field("standardDeviation", &BallModel::standardDeviation, "mm",
-              "of the position; 0 if the locator does not estimate it")};
+    return Fields{field<&BallModel::position>(Unit::mm, "on the ground, relative to the robot"),
+                  field<&BallModel::speed>(Unit::mmPerS, "over ground, in the robot's axes"),
+                  field<&BallModel::lastSeen>(Unit::ms),
+                  field<&BallModel::consecutiveTimeSeen>(Unit::ms, "report 3.4.2"),
+                  field<&BallModel::standardDeviation>(
+                      Unit::mm, "of the position; 0 if the locator does not estimate it")};
   }
 };
 
@@ -33,12 +32,11 @@ struct TeamBallModel {
   double standardDeviation = 0;
 
   static constexpr auto fields() {
-    return Fields{
-        field("position", &TeamBallModel::position, "mm", "on the field"),
-        field("lastSeen", &TeamBallModel::lastSeen, "ms", "by the robot whose ball it is"),
-        field("seenBy", &TeamBallModel::seenBy, "", "number of that player, 0 nobody"),
-        field("standardDeviation", &TeamBallModel::standardDeviation, "mm",
-              "of the position; 0 if the locator does not estimate it")};
+    return Fields{field<&TeamBallModel::position>(Unit::mm, "on the field"),
+                  field<&TeamBallModel::lastSeen>(Unit::ms, "by the robot whose ball it is"),
+                  field<&TeamBallModel::seenBy>("number of that player, 0 nobody"),
+                  field<&TeamBallModel::standardDeviation>(
+                      Unit::mm, "of the position; 0 if the locator does not estimate it")};
   }
 };
 

@@ -23,10 +23,11 @@ struct ObstaclesModel {
 
     static constexpr auto fields() {
       return Fields{
-          field("representative", &Sector::representative, "mm",
-                "the measurement: an obstacle, or as far as the ground was seen to be free"),
-          field("obstacle", &Sector::obstacle, "", "whether the representative is one"),
-          field("lastSeen", &Sector::lastSeen, "ms", "when it was measured")};
+          field<&Sector::representative>(
+              Unit::mm,
+              "the measurement: an obstacle, or as far as the ground was seen to be free"),
+          field<&Sector::obstacle>("whether the representative is one"),
+          field<&Sector::lastSeen>(Unit::ms, "when it was measured")};
     }
   };
   /// The free part of a goal as it was seen (report 3.8.2).
@@ -35,9 +36,8 @@ struct ObstaclesModel {
     Time lastSeen = never();
 
     static constexpr auto fields() {
-      return Fields{field("left", &SeenGoal::left, "mm", "its left end on the ground line"),
-                    field("right", &SeenGoal::right, "mm"),
-                    field("lastSeen", &SeenGoal::lastSeen, "ms")};
+      return Fields{field<&SeenGoal::left>(Unit::mm, "the goal's left end on the ground line"),
+                    field<&SeenGoal::right>(Unit::mm), field<&SeenGoal::lastSeen>(Unit::ms)};
     }
   };
 
@@ -65,10 +65,10 @@ struct ObstaclesModel {
   }
 
   static constexpr auto fields() {
-    return Fields{field("time", &ObstaclesModel::time, "ms"),
-                  field("sectors", &ObstaclesModel::sectors, "",
-                        "of 4 degrees each, counterclockwise from behind"),
-                  field("goals", &ObstaclesModel::goals, "", "in the order of GoalColor")};
+    return Fields{
+        field<&ObstaclesModel::time>(Unit::ms),
+        field<&ObstaclesModel::sectors>("of 4 degrees each, counterclockwise from behind"),
+        field<&ObstaclesModel::goals>("in the order of GoalColor")};
   }
 };
 

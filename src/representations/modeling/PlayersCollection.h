@@ -16,14 +16,13 @@ struct LocatedPlayer {
   double standardDeviation = 0;
 
   static constexpr auto fields() {
-    return Fields{field("position", &LocatedPlayer::position, "mm", "on the field"),
-                  field("lastSeen", &LocatedPlayer::lastSeen, "ms",
-                        "by this robot, or when it sent where it is"),
-                  field("validity", &LocatedPlayer::validity, "", "", {0, 1}),
-                  field("number", &LocatedPlayer::number, "",
-                        "1 to 4 of a teammate that sent its pose; 0 if not known"),
-                  field("standardDeviation", &LocatedPlayer::standardDeviation, "mm",
-                        "of the position, the mean of both axes; 0 if not known")};
+    return Fields{
+        field<&LocatedPlayer::position>(Unit::mm, "on the field"),
+        field<&LocatedPlayer::lastSeen>(Unit::ms, "by this robot, or when it sent where it is"),
+        field<&LocatedPlayer::validity>({0, 1}),
+        field<&LocatedPlayer::number>("1 to 4 of a teammate that sent its pose; 0 if not known"),
+        field<&LocatedPlayer::standardDeviation>(
+            Unit::mm, "of the position, the mean of both axes; 0 if not known")};
   }
 };
 
@@ -34,11 +33,11 @@ struct PlayersCollection {
   std::vector<LocatedPlayer> ownTeam, opponents, seenOpponents;
 
   static constexpr auto fields() {
-    return Fields{field("time", &PlayersCollection::time, "ms"),
-                  field("ownTeam", &PlayersCollection::ownTeam, "", "without the robot itself"),
-                  field("opponents", &PlayersCollection::opponents),
-                  field("seenOpponents", &PlayersCollection::seenOpponents, "",
-                        "what the robot itself has seen of them, to be sent to its teammates")};
+    return Fields{field<&PlayersCollection::time>(Unit::ms),
+                  field<&PlayersCollection::ownTeam>("without the robot itself"),
+                  field<&PlayersCollection::opponents>(),
+                  field<&PlayersCollection::seenOpponents>(
+                      "what the robot itself has seen of them, to be sent to its teammates")};
   }
 };
 

@@ -11,8 +11,8 @@ struct RobotPose {
   double validity = 0;
 
   static constexpr auto fields() {
-    return Fields{field("pose", &RobotPose::pose, "mm, rad"),
-                  field("validity", &RobotPose::validity, "", "certainty, report (3.16)", {0, 1})};
+    return Fields{field<&RobotPose::pose>(Unit::mmRad),
+                  field<&RobotPose::validity>("certainty, report (3.16)", {0, 1})};
   }
 };
 

@@ -15,10 +15,10 @@ struct RobotState {
   double tailPan = 0;
 
   static constexpr auto fields() {
-    return Fields{field("state", &RobotState::state),
-                  field("lastChange", &RobotState::lastChange, "ms", "of the state"),
-                  field("pressedFor", &RobotState::pressedFor, "ms", "0 while not pressed"),
-                  field("tailPan", &RobotState::tailPan, "rad", "as measured, + to the left")};
+    return Fields{field<&RobotState::state>(),
+                  field<&RobotState::lastChange>(Unit::ms, "of the state"),
+                  field<&RobotState::pressedFor>(Unit::ms, "0 while not pressed"),
+                  field<&RobotState::tailPan>(Unit::rad, "as measured, + to the left")};
   }
 };
 

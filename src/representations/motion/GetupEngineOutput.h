@@ -14,13 +14,12 @@ struct GetupEngineOutput {
   std::string action;
 
   static constexpr auto fields() {
-    return Fields{
-        field("joints", &GetupEngineOutput::joints),
-        field("dontCare", &GetupEngineOutput::dontCare, "", "joints left to other requests"),
-        field("gains", &GetupEngineOutput::gains),
-        field("mayLeave", &GetupEngineOutput::mayLeave, "", "no action is being performed"),
-        field("action", &GetupEngineOutput::action, "",
-              "the special action that gets it up from where it lies; empty if it is up")};
+    return Fields{field<&GetupEngineOutput::joints>(),
+                  field<&GetupEngineOutput::dontCare>("joints left to other requests"),
+                  field<&GetupEngineOutput::gains>(),
+                  field<&GetupEngineOutput::mayLeave>("no action is being performed"),
+                  field<&GetupEngineOutput::action>(
+                      "the special action that gets it up from where it lies; empty if it is up")};
   }
 };
 

@@ -11,10 +11,9 @@ struct HeadMotionRequest {
   double mouth = 0;
 
   static constexpr auto fields() {
-    return Fields{field("tilt", &HeadMotionRequest::tilt, "rad"),
-                  field("pan", &HeadMotionRequest::pan, "rad"),
-                  field("roll", &HeadMotionRequest::roll, "rad"),
-                  field("mouth", &HeadMotionRequest::mouth, "rad")};
+    return Fields{
+        field<&HeadMotionRequest::tilt>(Unit::rad), field<&HeadMotionRequest::pan>(Unit::rad),
+        field<&HeadMotionRequest::roll>(Unit::rad), field<&HeadMotionRequest::mouth>(Unit::rad)};
   }
 };
 

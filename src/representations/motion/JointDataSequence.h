@@ -18,10 +18,10 @@ struct JointDataSequence {
     int frames = 1;
 
     static constexpr auto fields() {
-      return Fields{field("angles", &Line::angles, "rad"),
-                    field("dontCare", &Line::dontCare, "", "joints that stay where they are"),
-                    field("interpolate", &Line::interpolate, "", "reach the angles at the end"),
-                    field("frames", &Line::frames, "frames", "of 8 ms", {1, 10000})};
+      return Fields{field<&Line::angles>(Unit::rad),
+                    field<&Line::dontCare>("joints that stay where they are"),
+                    field<&Line::interpolate>("reach the angles at the end"),
+                    field<&Line::frames>(Unit::frames, "of 8 ms", {1, 10000})};
     }
   };
 
@@ -30,10 +30,9 @@ struct JointDataSequence {
   int number = 0;
 
   static constexpr auto fields() {
-    return Fields{field("lines", &JointDataSequence::lines),
-                  field("loop", &JointDataSequence::loop, "", "again and again"),
-                  field("number", &JointDataSequence::number, "",
-                        "of the sequence: one with another number begins anew")};
+    return Fields{
+        field<&JointDataSequence::lines>(), field<&JointDataSequence::loop>("again and again"),
+        field<&JointDataSequence::number>("of the sequence: one with another number begins anew")};
   }
 };
 

@@ -65,20 +65,20 @@ struct KickDescription {
   static constexpr auto fields() {
     using K = KickDescription;
     return Fields{
-        field("motion", &K::motion, "", "name of the motion description"),
-        field("made", &K::made, "", "names all that the motion did when it was measured"),
-        field("x", &K::x, "mm", "where the ball is best, ahead"),
-        field("y", &K::y, "mm", "where the ball is best, to the left"),
-        field("direction", &K::direction, "degree",
-              "where the ball goes from there, counterclockwise from straight ahead"),
-        field("length", &K::length, "mm", "how far it rolls from there"),
-        field("seconds", &K::seconds, "s", "from the request until the robot stands again"),
-        field("strike", &K::strike, "s", "from the request until the ball leaves"),
-        field("falls", &K::falls, "", "share of the kicks with which the robot falls"),
-        field("step", &K::step, "mm", "from one place of the grid to the next"),
-        field("places", &K::places, "",
-              "x, y (mm); share of hits; direction, its standard deviation (degree); length, its "
-              "standard deviation (mm)")};
+        field<&K::motion>("name of the motion description"),
+        field<&K::made>("names all that the motion did when it was measured"),
+        field<&K::x>(Unit::mm, "where the ball is best, ahead"),
+        field<&K::y>(Unit::mm, "where the ball is best, to the left"),
+        field<&K::direction>(
+            Unit::deg, "where the ball goes from there, counterclockwise from straight ahead"),
+        field<&K::length>(Unit::mm, "how far it rolls from there"),
+        field<&K::seconds>(Unit::s, "from the request until the robot stands again"),
+        field<&K::strike>(Unit::s, "from the request until the ball leaves"),
+        field<&K::falls>("share of the kicks with which the robot falls"),
+        field<&K::step>(Unit::mm, "from one place of the grid to the next"),
+        field<&K::places>(
+            "x, y (mm); share of hits; direction, its standard deviation (degree); length, its "
+            "standard deviation (mm)")};
   }
 
  private:
@@ -105,7 +105,7 @@ struct KickTable {
     return kick < 0 ? nullptr : &kicks[static_cast<std::size_t>(kick)];
   }
 
-  static constexpr auto fields() { return Fields{field("kicks", &KickTable::kicks)}; }
+  static constexpr auto fields() { return Fields{field<&KickTable::kicks>()}; }
 };
 
 }  // namespace gt

@@ -12,12 +12,11 @@ struct MotionInfo {
 
   static constexpr auto fields() {
     return Fields{
-        field("executed", &MotionInfo::executed, "", "the request that is being carried out"),
-        field("positionInWalkCycle", &MotionInfo::positionInWalkCycle, "", "", {0, 1}),
-        field("stable", &MotionInfo::stable, "",
-              "the camera matrix can be trusted: neither kick nor getup"),
-        field("arriving", &MotionInfo::arriving, "",
-              "the legs are on their way to the stand, from which a walk begins")};
+        field<&MotionInfo::executed>("the request that is being carried out"),
+        field<&MotionInfo::positionInWalkCycle>({0, 1}),
+        field<&MotionInfo::stable>("the camera matrix can be trusted: neither kick nor getup"),
+        field<&MotionInfo::arriving>(
+            "the legs are on their way to the stand, from which a walk begins")};
   }
 };
 

@@ -25,7 +25,7 @@ struct MotionNet {
     bool isKick() const { return !kick.places.empty(); }
 
     static constexpr auto fields() {
-      return Fields{field("name", &Motion::name), field("kick", &Motion::kick)};
+      return Fields{field<&Motion::name>(), field<&Motion::kick>()};
     }
   };
 
@@ -45,21 +45,20 @@ struct MotionNet {
     int target = 0;
 
     static constexpr auto fields() {
-      return Fields{
-          field("kind", &Node::kind),
-          field("motion", &Node::motion, "", "index of the motion to which the node belongs"),
-          field("angles", &Node::angles, "rad", "data"),
-          field("dontCare", &Node::dontCare, "", "data: joints left to other requests"),
-          field("interpolate", &Node::interpolate, "", "data: reach the angles in the last frame"),
-          field("frames", &Node::frames, "frames", "data: of 8 ms"),
-          field("speed", &Node::speed, "mm/s, rad/s", "odometry: from here on"),
-          field("displacement", &Node::displacement, "mm, rad",
-                "displacement: by which the next data node moves the robot"),
-          field("joint", &Node::joint, "", "pid"),
-          field("gains", &Node::gains, "", "pid: from here on"),
-          field("always", &Node::always, "", "transition: followed whatever is requested"),
-          field("requested", &Node::requested, "", "transition: followed for this motion"),
-          field("target", &Node::target, "", "transition: index of the next node")};
+      return Fields{field<&Node::kind>(),
+                    field<&Node::motion>("index of the motion to which the node belongs"),
+                    field<&Node::angles>(Unit::rad, "data"),
+                    field<&Node::dontCare>("data: joints left to other requests"),
+                    field<&Node::interpolate>("data: reach the angles in the last frame"),
+                    field<&Node::frames>(Unit::frames, "data: of 8 ms"),
+                    field<&Node::speed>(Unit::mmRadPerS, "odometry: from here on"),
+                    field<&Node::displacement>(
+                        Unit::mmRad, "displacement: by which the next data node moves the robot"),
+                    field<&Node::joint>("pid"),
+                    field<&Node::gains>("pid: from here on"),
+                    field<&Node::always>("transition: followed whatever is requested"),
+                    field<&Node::requested>("transition: followed for this motion"),
+                    field<&Node::target>("transition: index of the next node")};
     }
   };
 
@@ -81,9 +80,9 @@ struct MotionNet {
   }
 
   static constexpr auto fields() {
-    return Fields{field("motions", &MotionNet::motions, "", "the first is extern, without a name"),
-                  field("nodes", &MotionNet::nodes),
-                  field("entry", &MotionNet::entry, "", "index of the node of extern")};
+    return Fields{field<&MotionNet::motions>("the first is extern, without a name"),
+                  field<&MotionNet::nodes>(),
+                  field<&MotionNet::entry>("index of the node of extern")};
   }
 };
 

@@ -10,7 +10,7 @@ struct OdometryData {
   Pose2D pose;
 
   static constexpr auto fields() {
-    return Fields{field("pose", &OdometryData::pose, "mm, rad", "where the start was the origin")};
+    return Fields{field<&OdometryData::pose>(Unit::mmRad, "where the start was the origin")};
   }
 };
 

@@ -17,13 +17,12 @@ struct SpecialActionsOutput {
 
   static constexpr auto fields() {
     return Fields{
-        field("joints", &SpecialActionsOutput::joints),
-        field("dontCare", &SpecialActionsOutput::dontCare, "", "joints left to other requests"),
-        field("gains", &SpecialActionsOutput::gains),
-        field("odometryStep", &SpecialActionsOutput::odometryStep, "mm, rad", "of this frame"),
-        field("mayLeave", &SpecialActionsOutput::mayLeave, "", "the net is at extern"),
-        field("action", &SpecialActionsOutput::action, "",
-              "name of what is performed; empty at extern")};
+        field<&SpecialActionsOutput::joints>(),
+        field<&SpecialActionsOutput::dontCare>("joints left to other requests"),
+        field<&SpecialActionsOutput::gains>(),
+        field<&SpecialActionsOutput::odometryStep>(Unit::mmRad, "of this frame"),
+        field<&SpecialActionsOutput::mayLeave>("the net is at extern"),
+        field<&SpecialActionsOutput::action>("name of what is performed; empty at extern")};
   }
 };
 

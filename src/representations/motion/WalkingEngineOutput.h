@@ -16,17 +16,15 @@ struct WalkingEngineOutput {
   bool holdsHead = false;
 
   static constexpr auto fields() {
-    return Fields{
-        field("joints", &WalkingEngineOutput::joints, "", "the legs, and the head if it is held"),
-        field("odometryStep", &WalkingEngineOutput::odometryStep, "mm, rad", "of this frame"),
-        field("speed", &WalkingEngineOutput::speed, "mm/s, rad/s",
-              "the request as far as step sizes and accelerations allow"),
-        field("walkType", &WalkingEngineOutput::walkType, "",
-              "of this step; another one that is requested begins with the next"),
-        field("mayLeave", &WalkingEngineOutput::mayLeave, "", "the robot stands"),
-        field("positionInWalkCycle", &WalkingEngineOutput::positionInWalkCycle, "", "", {0, 1}),
-        field("holdsHead", &WalkingEngineOutput::holdsHead, "",
-              "the walk turns head and mouth itself")};
+    return Fields{field<&WalkingEngineOutput::joints>("the legs, and the head if it is held"),
+                  field<&WalkingEngineOutput::odometryStep>(Unit::mmRad, "of this frame"),
+                  field<&WalkingEngineOutput::speed>(
+                      Unit::mmRadPerS, "the request as far as step sizes and accelerations allow"),
+                  field<&WalkingEngineOutput::walkType>(
+                      "of this step; another one that is requested begins with the next"),
+                  field<&WalkingEngineOutput::mayLeave>("the robot stands"),
+                  field<&WalkingEngineOutput::positionInWalkCycle>({0, 1}),
+                  field<&WalkingEngineOutput::holdsHead>("the walk turns head and mouth itself")};
   }
 };
 

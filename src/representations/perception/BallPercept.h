@@ -18,17 +18,17 @@ struct BallPercept {
 
   static constexpr auto fields() {
     return Fields{
-        field("time", &BallPercept::time, "ms", "of the image"),
-        field("seen", &BallPercept::seen),
-        field("offset", &BallPercept::offset, "mm", "on the ground, relative to the robot"),
-        field("angle", &BallPercept::angle, "rad",
-              "to the ball's center from the camera, left and up"),
-        field("distanceByProjection", &BallPercept::distanceByProjection, "mm",
-              "camera to center, from the camera matrix; 0 if the ball is not below the horizon"),
-        field("distanceBySize", &BallPercept::distanceBySize, "mm",
-              "camera to center, from the radius; 0 if too little is seen"),
-        field("centerInImage", &BallPercept::centerInImage, "pixel"),
-        field("radiusInImage", &BallPercept::radiusInImage, "pixel")};
+        field<&BallPercept::time>(Unit::ms, "of the image"),
+        field<&BallPercept::seen>(),
+        field<&BallPercept::offset>(Unit::mm, "on the ground, relative to the robot"),
+        field<&BallPercept::angle>(Unit::rad, "to the ball's center from the camera, left and up"),
+        field<&BallPercept::distanceByProjection>(
+            Unit::mm,
+            "camera to center, from the camera matrix; 0 if the ball is not below the horizon"),
+        field<&BallPercept::distanceBySize>(
+            Unit::mm, "camera to center, from the radius; 0 if too little is seen"),
+        field<&BallPercept::centerInImage>(Unit::pixel),
+        field<&BallPercept::radiusInImage>(Unit::pixel)};
   }
 };
 

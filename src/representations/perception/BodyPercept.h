@@ -19,14 +19,13 @@ struct BodyPercept {
   EnumArray<Switch, bool> switches;
 
   static constexpr auto fields() {
-    return Fields{
-        field("time", &BodyPercept::time, "ms"),
-        field("state", &BodyPercept::state),
-        field("tilt", &BodyPercept::tilt, "rad", "of the body, + nose up"),
-        field("roll", &BodyPercept::roll, "rad", "+ right side down"),
-        field("height", &BodyPercept::height, "mm", "of the body's origin above the ground"),
-        field("tailPan", &BodyPercept::tailPan, "rad", "as measured, + to the left"),
-        field("switches", &BodyPercept::switches, "", "pressed")};
+    return Fields{field<&BodyPercept::time>(Unit::ms),
+                  field<&BodyPercept::state>(),
+                  field<&BodyPercept::tilt>(Unit::rad, "of the body, + nose up"),
+                  field<&BodyPercept::roll>(Unit::rad, "+ right side down"),
+                  field<&BodyPercept::height>(Unit::mm, "of the body's origin above the ground"),
+                  field<&BodyPercept::tailPan>(Unit::rad, "as measured, + to the left"),
+                  field<&BodyPercept::switches>("pressed")};
   }
 };
 

@@ -43,15 +43,15 @@ struct CameraMatrix {
   }
 
   static constexpr auto fields() {
-    return Fields{field("time", &CameraMatrix::time, "ms", "of the image"),
-                  field("pose", &CameraMatrix::pose, "mm", "when the middle row was exposed"),
-                  field("turning", &CameraMatrix::turning, "rad/s",
-                        "angular velocity of the camera in the robot's system"),
-                  field("info", &CameraMatrix::info),
-                  field("valid", &CameraMatrix::valid, "", "false during kicks and falls"),
-                  field("covariance", &CameraMatrix::covariance, "",
-                        "of the errors of the rotation about the robot's x and y axis (rad) and of "
-                        "the height (mm)")};
+    return Fields{field<&CameraMatrix::time>(Unit::ms, "of the image"),
+                  field<&CameraMatrix::pose>(Unit::mm, "when the middle row was exposed"),
+                  field<&CameraMatrix::turning>(
+                      Unit::radPerS, "angular velocity of the camera in the robot's system"),
+                  field<&CameraMatrix::info>(),
+                  field<&CameraMatrix::valid>("false during kicks and falls"),
+                  field<&CameraMatrix::covariance>(
+                      "of the errors of the rotation about the robot's x and y axis (rad) and of "
+                      "the height (mm)")};
   }
 };
 

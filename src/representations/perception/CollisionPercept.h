@@ -16,11 +16,11 @@ struct CollisionPercept {
   bool collision() const { return lastCollision == time; }
 
   static constexpr auto fields() {
-    return Fields{field("time", &CollisionPercept::time, "ms"),
-                  field("legs", &CollisionPercept::legs, "", "that something holds up"),
-                  field("strength", &CollisionPercept::strength, "",
-                        "of the leg held up most: from 1 on that is a collision"),
-                  field("lastCollision", &CollisionPercept::lastCollision, "ms")};
+    return Fields{field<&CollisionPercept::time>(Unit::ms),
+                  field<&CollisionPercept::legs>("that something holds up"),
+                  field<&CollisionPercept::strength>(
+                      "of the leg held up most: from 1 on that is a collision"),
+                  field<&CollisionPercept::lastCollision>(Unit::ms)};
   }
 };
 

@@ -33,9 +33,7 @@ struct ColorTable64 {
   }
   ColorClass operator[](const Pixel& p) const { return classes[index(p.y, p.cb, p.cr)]; }
 
-  static constexpr auto fields() {
-    return Fields{field("classes", &ColorTable64::classes, "", "[y][cb][cr]")};
-  }
+  static constexpr auto fields() { return Fields{field<&ColorTable64::classes>("[y][cb][cr]")}; }
 };
 
 }  // namespace gt

@@ -17,14 +17,14 @@ struct ConditionalBoundary {
   bool leftOnBorder = false, rightOnBorder = false, topOnBorder = false, bottomOnBorder = false;
 
   static constexpr auto fields() {
-    return Fields{field("left", &ConditionalBoundary::left, "rad", "+ to the left"),
-                  field("right", &ConditionalBoundary::right, "rad"),
-                  field("top", &ConditionalBoundary::top, "rad", "+ above the horizon"),
-                  field("bottom", &ConditionalBoundary::bottom, "rad"),
-                  field("leftOnBorder", &ConditionalBoundary::leftOnBorder),
-                  field("rightOnBorder", &ConditionalBoundary::rightOnBorder),
-                  field("topOnBorder", &ConditionalBoundary::topOnBorder),
-                  field("bottomOnBorder", &ConditionalBoundary::bottomOnBorder)};
+    return Fields{field<&ConditionalBoundary::left>(Unit::rad, "+ to the left"),
+                  field<&ConditionalBoundary::right>(Unit::rad),
+                  field<&ConditionalBoundary::top>(Unit::rad, "+ above the horizon"),
+                  field<&ConditionalBoundary::bottom>(Unit::rad),
+                  field<&ConditionalBoundary::leftOnBorder>(),
+                  field<&ConditionalBoundary::rightOnBorder>(),
+                  field<&ConditionalBoundary::topOnBorder>(),
+                  field<&ConditionalBoundary::bottomOnBorder>()};
   }
 };
 
@@ -75,10 +75,10 @@ struct FlagPercept {
 
   static constexpr auto fields() {
     return Fields{
-        field("type", &FlagPercept::type), field("boundary", &FlagPercept::boundary),
-        field("distance", &FlagPercept::distance, "mm",
-              "robot's origin to the flag's axis; 0 if not known"),
-        field("angle", &FlagPercept::angle, "rad", "from the robot's origin to the flag's axis")};
+        field<&FlagPercept::type>(), field<&FlagPercept::boundary>(),
+        field<&FlagPercept::distance>(Unit::mm,
+                                      "robot's origin to the flag's axis; 0 if not known"),
+        field<&FlagPercept::angle>(Unit::rad, "from the robot's origin to the flag's axis")};
   }
 };
 
@@ -92,11 +92,12 @@ struct GoalPercept {
   double angle = 0;
 
   static constexpr auto fields() {
-    return Fields{field("color", &GoalPercept::color), field("boundary", &GoalPercept::boundary),
-                  field("distance", &GoalPercept::distance, "mm",
-                        "robot's origin to the middle between the goal's posts; 0 if not known"),
-                  field("angle", &GoalPercept::angle, "rad",
-                        "from the robot's origin to the middle of what is seen")};
+    return Fields{
+        field<&GoalPercept::color>(), field<&GoalPercept::boundary>(),
+        field<&GoalPercept::distance>(
+            Unit::mm, "robot's origin to the middle between the goal's posts; 0 if not known"),
+        field<&GoalPercept::angle>(Unit::rad,
+                                   "from the robot's origin to the middle of what is seen")};
   }
 };
 
@@ -115,13 +116,13 @@ struct LandmarksPercept {
   std::array<GoalPercept, 2> goals;
 
   static constexpr auto fields() {
-    return Fields{field("time", &LandmarksPercept::time, "ms", "of the image"),
-                  field("cameraOffset", &LandmarksPercept::cameraOffset, "mm",
-                        "where the angles were measured, in the robot's system"),
-                  field("numberOfFlags", &LandmarksPercept::numberOfFlags, "", "", {0, 6}),
-                  field("flags", &LandmarksPercept::flags),
-                  field("numberOfGoals", &LandmarksPercept::numberOfGoals, "", "", {0, 2}),
-                  field("goals", &LandmarksPercept::goals)};
+    return Fields{field<&LandmarksPercept::time>(Unit::ms, "of the image"),
+                  field<&LandmarksPercept::cameraOffset>(
+                      Unit::mm, "where the angles were measured, in the robot's system"),
+                  field<&LandmarksPercept::numberOfFlags>({0, 6}),
+                  field<&LandmarksPercept::flags>(),
+                  field<&LandmarksPercept::numberOfGoals>({0, 2}),
+                  field<&LandmarksPercept::goals>()};
   }
 };
 

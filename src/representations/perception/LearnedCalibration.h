@@ -12,14 +12,13 @@ struct LearnedCalibration {
   double imageDelay = 0;
 
   static constexpr auto fields() {
-    return Fields{
-        field("robot", &LearnedCalibration::robot, "",
-              "by which it works now, that of robot.cfg included; `save` writes it there"),
-        field("deviation", &LearnedCalibration::deviation, "", "its standard deviations"),
-        field("legsGive", &LearnedCalibration::legsGive, "",
-              "how much its legs give, as a share of what the processor's parameters say"),
-        field("imageDelay", &LearnedCalibration::imageDelay, "ms",
-              "by which images are older than their time stamps")};
+    return Fields{field<&LearnedCalibration::robot>(
+                      "by which it works now, that of robot.cfg included; `save` writes it there"),
+                  field<&LearnedCalibration::deviation>("standard deviations of what was learned"),
+                  field<&LearnedCalibration::legsGive>(
+                      "how much its legs give, as a share of what the processor's parameters say"),
+                  field<&LearnedCalibration::imageDelay>(
+                      Unit::ms, "by which images are older than their time stamps")};
   }
 };
 

@@ -18,8 +18,8 @@ struct LinesPercept {
   EnumArray<EdgeType, std::vector<Vector2d>> points;
 
   static constexpr auto fields() {
-    return Fields{field("time", &LinesPercept::time, "ms", "of the image"),
-                  field("points", &LinesPercept::points, "mm", "in the order of EdgeType")};
+    return Fields{field<&LinesPercept::time>(Unit::ms, "of the image"),
+                  field<&LinesPercept::points>(Unit::mm, "in the order of EdgeType")};
   }
 };
 

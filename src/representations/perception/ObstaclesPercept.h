@@ -16,9 +16,9 @@ struct FreeGround {
   bool farOnBorder = false;
 
   static constexpr auto fields() {
-    return Fields{field("nearPoint", &FreeGround::nearPoint, "mm", "on the ground"),
-                  field("farPoint", &FreeGround::farPoint, "mm", "on the ground"),
-                  field("farOnBorder", &FreeGround::farOnBorder, "", "of the image")};
+    return Fields{field<&FreeGround::nearPoint>(Unit::mm, "on the ground"),
+                  field<&FreeGround::farPoint>(Unit::mm, "on the ground"),
+                  field<&FreeGround::farOnBorder>("of the image")};
   }
 };
 
@@ -29,8 +29,8 @@ struct ObstaclesPercept {
   std::vector<FreeGround> lines;
 
   static constexpr auto fields() {
-    return Fields{field("time", &ObstaclesPercept::time, "ms", "of the image"),
-                  field("lines", &ObstaclesPercept::lines)};
+    return Fields{field<&ObstaclesPercept::time>(Unit::ms, "of the image"),
+                  field<&ObstaclesPercept::lines>()};
   }
 };
 

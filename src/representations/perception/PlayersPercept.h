@@ -16,8 +16,8 @@ struct PlayersPercept {
   EnumArray<TeamColor, std::vector<Vector2d>> players;
 
   static constexpr auto fields() {
-    return Fields{field("time", &PlayersPercept::time, "ms", "of the image"),
-                  field("players", &PlayersPercept::players, "mm", "in the order of TeamColor")};
+    return Fields{field<&PlayersPercept::time>(Unit::ms, "of the image"),
+                  field<&PlayersPercept::players>(Unit::mm, "in the order of TeamColor")};
   }
 };
 

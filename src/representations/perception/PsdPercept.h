@@ -13,9 +13,8 @@ struct PsdPercept {
   bool tooFarAway = true;
 
   static constexpr auto fields() {
-    return Fields{field("time", &PsdPercept::time, "ms"),
-                  field("offset", &PsdPercept::offset, "mm"),
-                  field("tooFarAway", &PsdPercept::tooFarAway, "", "nothing within 900 mm")};
+    return Fields{field<&PsdPercept::time>(Unit::ms), field<&PsdPercept::offset>(Unit::mm),
+                  field<&PsdPercept::tooFarAway>("nothing within 900 mm")};
   }
 };
 

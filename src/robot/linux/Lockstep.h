@@ -20,9 +20,8 @@ struct LockstepGreeting {
   std::vector<std::string> kicks;  ///< Its special actions that are kicks.
 
   static constexpr auto fields() {
-    return Fields{field("protocol", &LockstepGreeting::protocol),
-                  field("commit", &LockstepGreeting::commit),
-                  field("kicks", &LockstepGreeting::kicks)};
+    return Fields{field<&LockstepGreeting::protocol>(), field<&LockstepGreeting::commit>(),
+                  field<&LockstepGreeting::kicks>()};
   }
 };
 
@@ -37,10 +36,9 @@ struct LockstepFailure {
   std::string what;
 
   static constexpr auto fields() {
-    return Fields{field("file", &LockstepFailure::file), field("line", &LockstepFailure::line),
-                  field("column", &LockstepFailure::column),
-                  field("element", &LockstepFailure::element),
-                  field("what", &LockstepFailure::what)};
+    return Fields{field<&LockstepFailure::file>(), field<&LockstepFailure::line>(),
+                  field<&LockstepFailure::column>(), field<&LockstepFailure::element>(),
+                  field<&LockstepFailure::what>()};
   }
 };
 

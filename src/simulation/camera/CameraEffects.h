@@ -57,45 +57,40 @@ struct CameraEffects {
 
   static constexpr auto fields() {
     return Fields{
-        field("rollingShutter", &CameraEffects::rollingShutter, "",
-              "rows are exposed one after another; otherwise all with the middle row"),
-        field("blur", &CameraEffects::blur, "pixel", "standard deviation of the lens' blur",
-              {0, 2}),
-        field("vignetting", &CameraEffects::vignetting, "", "part of the light lost in the corners",
-              {0, 0.9}),
-        field("brightness", &CameraEffects::brightness, "", "factor on all light", {0, 1.9}),
-        field("shiftCb", &CameraEffects::shiftCb, "", "color cast, added to cb", {-128, 128}),
-        field("shiftCr", &CameraEffects::shiftCr, "", "color cast, added to cr", {-128, 128}),
-        field("noiseY", &CameraEffects::noiseY, "", "standard deviation of a pixel's noise",
-              {0, 60}),
-        field("noiseCb", &CameraEffects::noiseCb, "", "", {0, 60}),
-        field("noiseCr", &CameraEffects::noiseCr, "", "", {0, 60}),
-        field("pixelShading", &CameraEffects::pixelShading, "",
-              "each pixel is lit by the emitters for itself; otherwise each surface, by daylight"),
-        field("shadows", &CameraEffects::shadows, "", "with pixelShading: emitters throw shadows"),
-        field("exposure", &CameraEffects::exposure, "ms",
-              "of each row: what the camera turns past is smeared", {0, 40}),
-        field("lightChange", &CameraEffects::lightChange, "",
-              "share by which all light grows and shrinks", {0, 0.9}),
-        field("lightPeriod", &CameraEffects::lightPeriod, "s", "in which it does so", {0.1, 1000}),
-        field("noiseGrowth", &CameraEffects::noiseGrowth, "",
-              "share by which the noise is stronger where y is 255 than where it is 0", {0, 1}),
-        field("noiseCorrelation", &CameraEffects::noiseCorrelation, "",
-              "of the noise of neighbors in a row", {0, 0.5}),
-        field("chromaBlur", &CameraEffects::chromaBlur, "pixel",
-              "standard deviation by which cb and cr bleed into the rows above and below",
-              {0, 1.8}),
-        field("rimCb", &CameraEffects::rimCb, "",
-              "color cast of the corners, added to cb; it grows with the squared distance from the "
-              "middle",
-              {-64, 64}),
-        field("rimCr", &CameraEffects::rimCr, "", "likewise for cr", {-64, 64}),
-        field("unevenLight", &CameraEffects::unevenLight, "",
-              "share by which places on the field are brighter or darker at most", {0, 0.9}),
-        field("delay", &CameraEffects::delay, "ms",
-              "by which images are older than their time stamps", {0, longestDelay}),
-        field("delayJitter", &CameraEffects::delayJitter, "ms",
-              "standard deviation of that, from image to image", {0, longestDelay})};
+        field<&CameraEffects::rollingShutter>(
+            "rows are exposed one after another; otherwise all with the middle row"),
+        field<&CameraEffects::blur>(Unit::pixel, "standard deviation of the lens' blur", {0, 2}),
+        field<&CameraEffects::vignetting>("part of the light lost in the corners", {0, 0.9}),
+        field<&CameraEffects::brightness>("factor on all light", {0, 1.9}),
+        field<&CameraEffects::shiftCb>("color cast, added to cb", {-128, 128}),
+        field<&CameraEffects::shiftCr>("color cast, added to cr", {-128, 128}),
+        field<&CameraEffects::noiseY>("standard deviation of a pixel's noise", {0, 60}),
+        field<&CameraEffects::noiseCb>({0, 60}),
+        field<&CameraEffects::noiseCr>({0, 60}),
+        field<&CameraEffects::pixelShading>(
+            "each pixel is lit by the emitters for itself; otherwise each surface, by daylight"),
+        field<&CameraEffects::shadows>("with pixelShading: emitters throw shadows"),
+        field<&CameraEffects::exposure>(
+            Unit::ms, "of each row: what the camera turns past is smeared", {0, 40}),
+        field<&CameraEffects::lightChange>("share by which all light grows and shrinks", {0, 0.9}),
+        field<&CameraEffects::lightPeriod>(Unit::s, "in which it does so", {0.1, 1000}),
+        field<&CameraEffects::noiseGrowth>(
+            "share by which the noise is stronger where y is 255 than where it is 0", {0, 1}),
+        field<&CameraEffects::noiseCorrelation>("of the noise of neighbors in a row", {0, 0.5}),
+        field<&CameraEffects::chromaBlur>(
+            Unit::pixel,
+            "standard deviation by which cb and cr bleed into the rows above and below", {0, 1.8}),
+        field<&CameraEffects::rimCb>(
+            "color cast of the corners, added to cb; it grows with the squared distance from the "
+            "middle",
+            {-64, 64}),
+        field<&CameraEffects::rimCr>("color cast of the corners, added to cr, as rimCb", {-64, 64}),
+        field<&CameraEffects::unevenLight>(
+            "share by which places on the field are brighter or darker at most", {0, 0.9}),
+        field<&CameraEffects::delay>(Unit::ms, "by which images are older than their time stamps",
+                                     {0, longestDelay}),
+        field<&CameraEffects::delayJitter>(
+            Unit::ms, "standard deviation of that, from image to image", {0, longestDelay})};
   }
 };
 

@@ -15,19 +15,16 @@ struct BallParameters {
 
   static constexpr auto fields() {
     return Fields{
-        field("deceleration", &BallParameters::deceleration, "mm/s^2", "rolling on the carpet",
-              {0, 1e5}),
-        field("bounceWall", &BallParameters::bounceWall, "", "coefficient of restitution", {0, 1}),
-        field("bounceRobot", &BallParameters::bounceRobot, "", "coefficient of restitution",
-              {0, 1}),
-        field("friction", &BallParameters::friction, "",
-              "share of the sliding speed that a touch takes", {0, 1}),
-        field("maxSpeed", &BallParameters::maxSpeed, "mm/s", "", {1, 4000}),
-        field("dents", &BallParameters::dents, "mm/s^2",
-              "at most, by which the carpet's unevenness pulls a rolling ball in each direction",
-              {0, 1e4}),
-        field("dentSize", &BallParameters::dentSize, "mm", "from one dent to the next",
-              {10, 5000})};
+        field<&BallParameters::deceleration>(Unit::mmPerS2, "rolling on the carpet", {0, 1e5}),
+        field<&BallParameters::bounceWall>("coefficient of restitution", {0, 1}),
+        field<&BallParameters::bounceRobot>("coefficient of restitution", {0, 1}),
+        field<&BallParameters::friction>("share of the sliding speed that a touch takes", {0, 1}),
+        field<&BallParameters::maxSpeed>(Unit::mmPerS, {1, 4000}),
+        field<&BallParameters::dents>(
+            Unit::mmPerS2,
+            "at most, by which the carpet's unevenness pulls a rolling ball in each direction",
+            {0, 1e4}),
+        field<&BallParameters::dentSize>(Unit::mm, "from one dent to the next", {10, 5000})};
   }
 };
 

@@ -17,20 +17,20 @@ struct CeilingCameraParameters {
 
   static constexpr auto fields() {
     using P = CeilingCameraParameters;
-    return Fields{field("positionNoise", &P::positionNoise, "mm",
-                        "standard deviation of each coordinate in each image", {0, 1000}),
-                  field("rotationNoise", &P::rotationNoise, "rad", "standard deviation", {0, 3}),
-                  field("scaleError", &P::scaleError, "",
-                        "of the calibration: at most, in each direction", {0, 0.5}),
-                  field("offsetError", &P::offsetError, "mm", "likewise", {0, 1000}),
-                  field("overlooked", &P::overlooked, "",
-                        "share of images in which a thing is missed", {0, 1}),
-                  field("lowX", &P::lowX, "mm",
-                        "where its view begins, such as the middle of the field", {-1e4, 1e4}),
-                  field("highX", &P::highX, "mm", "where it ends", {-1e4, 1e4}),
-                  field("period", &P::period, "ms", "from image to image", {8, 10'000}),
-                  field("oracle", &P::oracle, "",
-                        "the oracle reports what this camera saw instead of the truth")};
+    return Fields{
+        field<&P::positionNoise>(Unit::mm, "standard deviation of each coordinate in each image",
+                                 {0, 1000}),
+        field<&P::rotationNoise>(Unit::rad, "standard deviation", {0, 3}),
+        field<&P::scaleError>("error of the calibration's scale: at most, in each direction",
+                              {0, 0.5}),
+        field<&P::offsetError>(
+            Unit::mm, "error of the calibration's origin: at most, in each direction", {0, 1000}),
+        field<&P::overlooked>("share of images in which a thing is missed", {0, 1}),
+        field<&P::lowX>(Unit::mm, "where its view begins, such as the middle of the field",
+                        {-1e4, 1e4}),
+        field<&P::highX>(Unit::mm, "where it ends", {-1e4, 1e4}),
+        field<&P::period>(Unit::ms, "from image to image", {8, 10'000}),
+        field<&P::oracle>("the oracle reports what this camera saw instead of the truth")};
   }
 };
 

@@ -17,13 +17,13 @@ struct ChallengeParameters {
 
   static constexpr auto fields() {
     using P = ChallengeParameters;
-    return Fields{field("kind", &P::kind),
-                  field("random", &P::random, "",
-                        "whether the seed decides where all stand, or which places are visited"),
-                  field("start", &P::start, "s", "when the back switch is pressed", {0, 600}),
-                  field("precise", &P::precise, "mm",
-                        "from a place to be visited, so near a stop gets all points", {1, 1000}),
-                  field("near", &P::near, "mm", "so near it gets one", {1, 1000})};
+    return Fields{
+        field<&P::kind>(),
+        field<&P::random>("whether the seed decides where all stand, or which places are visited"),
+        field<&P::start>(Unit::s, "when the back switch is pressed", {0, 600}),
+        field<&P::precise>(Unit::mm, "from a place to be visited, so near a stop gets all points",
+                           {1, 1000}),
+        field<&P::near>(Unit::mm, "so near it gets one", {1, 1000})};
   }
 };
 

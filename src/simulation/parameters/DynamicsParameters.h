@@ -13,11 +13,9 @@ struct DynamicsParameters {
   static constexpr auto fields() {
     using P = DynamicsParameters;
     constexpr Range factor{0.1, 10};
-    return Fields{
-        field("friction", &P::friction, "", "factor on the sliding friction of robots", factor),
-        field("mass", &P::mass, "", "factor on the masses of all parts of robots", factor),
-        field("strength", &P::strength, "", "factor on the servos' torques and their P gains",
-              factor)};
+    return Fields{field<&P::friction>("factor on the sliding friction of robots", factor),
+                  field<&P::mass>("factor on the masses of all parts of robots", factor),
+                  field<&P::strength>("factor on the servos' torques and their P gains", factor)};
   }
 };
 

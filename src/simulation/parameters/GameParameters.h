@@ -21,21 +21,21 @@ struct GameParameters {
 
   static constexpr auto fields() {
     return Fields{
-        field("referee", &GameParameters::referee, "", "false: all robots play, nobody counts"),
-        field("minutes", &GameParameters::minutes, "min", "both halves together", {0.01, 1e4}),
-        field("kickOff", &GameParameters::kickOff, "", "the team that begins"),
-        field("readyTime", &GameParameters::readyTime, "s",
-              "at most, for walking to the kick-off positions", {0, 600}),
-        field("setTime", &GameParameters::setTime, "s", "standing before the whistle", {0, 600}),
-        field("stuckTime", &GameParameters::stuckTime, "s",
-              "after which a ball that does not move is put elsewhere", {1, 600}),
-        field("penalties", &GameParameters::penalties, "",
-              "whether the referee penalizes robots, by the element rules"),
-        field("shootOut", &GameParameters::shootOut, "",
-              "a penalty shoot-out: none, after a draw, or as the whole game"),
-        field("leaveTime", &GameParameters::leaveTime, "s",
-              "that robots have to leave the field after the game, before all stands still",
-              {0, 600})};
+        field<&GameParameters::referee>("false: all robots play, nobody counts"),
+        field<&GameParameters::minutes>(Unit::min, "both halves together", {0.01, 1e4}),
+        field<&GameParameters::kickOff>("the team that begins"),
+        field<&GameParameters::readyTime>(Unit::s, "at most, for walking to the kick-off positions",
+                                          {0, 600}),
+        field<&GameParameters::setTime>(Unit::s, "standing before the whistle", {0, 600}),
+        field<&GameParameters::stuckTime>(
+            Unit::s, "after which a ball that does not move is put elsewhere", {1, 600}),
+        field<&GameParameters::penalties>(
+            "whether the referee penalizes robots, by the element rules"),
+        field<&GameParameters::shootOut>(
+            "a penalty shoot-out: none, after a draw, or as the whole game"),
+        field<&GameParameters::leaveTime>(
+            Unit::s, "that robots have to leave the field after the game, before all stands still",
+            {0, 600})};
   }
 };
 

@@ -14,22 +14,21 @@ struct NoiseParameters {
 
   static constexpr auto fields() {
     return Fields{
-        field("joints", &NoiseParameters::joints, "deg", "standard deviation of a measured angle",
-              {0, 90}),
-        field("acceleration", &NoiseParameters::acceleration, "mm/s^2", "standard deviation",
-              {0, 1e5}),
-        field("psd", &NoiseParameters::psd, "mm", "standard deviation at 900 mm, less when nearer",
-              {0, 1000}),
-        field("slip", &NoiseParameters::slip, "",
-              "a robot's steps are that share longer or shorter at most, each direction its own",
-              {0, 0.9}),
-        field("motion", &NoiseParameters::motion, "",
-              "noise of steps, kept for 0.25 s; 1: 20 mm and 1 degree over 1 m, 5 degrees over a "
-              "turn",
-              {0, 100}),
-        field("psdReflections", &NoiseParameters::psdReflections, "",
-              "share of the distance sensor's readings that are random, because of reflections",
-              {0, 1})};
+        field<&NoiseParameters::joints>(Unit::deg, "standard deviation of a measured angle",
+                                        {0, 90}),
+        field<&NoiseParameters::acceleration>(Unit::mmPerS2, "standard deviation", {0, 1e5}),
+        field<&NoiseParameters::psd>(Unit::mm, "standard deviation at 900 mm, less when nearer",
+                                     {0, 1000}),
+        field<&NoiseParameters::slip>(
+            "a robot's steps are that share longer or shorter at most, each direction its own",
+            {0, 0.9}),
+        field<&NoiseParameters::motion>(
+            "noise of steps, kept for 0.25 s; 1: 20 mm and 1 degree over 1 m, 5 degrees over a "
+            "turn",
+            {0, 100}),
+        field<&NoiseParameters::psdReflections>(
+            "share of the distance sensor's readings that are random, because of reflections",
+            {0, 1})};
   }
 };
 

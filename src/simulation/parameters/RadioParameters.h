@@ -15,16 +15,14 @@ struct RadioParameters {
 
   static constexpr auto fields() {
     return Fields{
-        field("delayMin", &RadioParameters::delayMin, "ms", "", {0, 10'000}),
-        field("delayMax", &RadioParameters::delayMax, "ms", "", {0, 10'000}),
-        field("loss", &RadioParameters::loss, "", "share of messages that never arrive", {0, 1}),
-        field("out", &RadioParameters::out, "", "nothing gets through"),
-        field("bursts", &RadioParameters::bursts, "1/min", "how often the network breaks down",
-              {0, 1000}),
-        field("burstTime", &RadioParameters::burstTime, "s", "mean time until it works again",
-              {0.01, 600}),
-        field("burstLoss", &RadioParameters::burstLoss, "",
-              "share of messages that are lost meanwhile", {0, 1})};
+        field<&RadioParameters::delayMin>(Unit::ms, {0, 10'000}),
+        field<&RadioParameters::delayMax>(Unit::ms, {0, 10'000}),
+        field<&RadioParameters::loss>("share of messages that never arrive", {0, 1}),
+        field<&RadioParameters::out>("nothing gets through"),
+        field<&RadioParameters::bursts>(Unit::perMin, "how often the network breaks down",
+                                        {0, 1000}),
+        field<&RadioParameters::burstTime>(Unit::s, "mean time until it works again", {0.01, 600}),
+        field<&RadioParameters::burstLoss>("share of messages that are lost meanwhile", {0, 1})};
   }
 };
 

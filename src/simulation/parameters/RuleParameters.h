@@ -22,27 +22,26 @@ struct RuleParameters {
   static constexpr auto fields() {
     constexpr Range seconds{0, 600};
     return Fields{
-        field("ballHolding", &RuleParameters::ballHolding, "s",
-              "a field player's, or the keeper's outside of its penalty area", seconds),
-        field("keeperBallHolding", &RuleParameters::keeperBallHolding, "s",
-              "the keeper's in its penalty area", seconds),
-        field("keeperCharge", &RuleParameters::keeperCharge, "s",
-              "walking into the other keeper in its penalty area", seconds),
-        field("fieldPlayerCharge", &RuleParameters::fieldPlayerCharge, "s",
-              "walking into any other robot of the other team", seconds),
-        field("illegalDefender", &RuleParameters::illegalDefender, "s",
-              "a field player in the own penalty area", seconds),
-        field("illegalDefense", &RuleParameters::illegalDefense, "s",
-              "in the center circle at the other team's kick-off", seconds),
-        field("obstruction", &RuleParameters::obstruction, "s",
-              "standing in an opponent's path, far from the ball", seconds),
-        field("requestForPickup", &RuleParameters::requestForPickup, "s",
-              "lying on the side without getting up", seconds),
-        field("removal", &RuleParameters::removal, "s", "for all penalties but obstruction",
-              seconds),
-        field("obstructionRemoval", &RuleParameters::obstructionRemoval, "s", "", seconds),
-        field("shots", &RuleParameters::shots, "", "of each team in a shoot-out", {1, 100}),
-        field("shotTime", &RuleParameters::shotTime, "s", "for one shot", {1, 600})};
+        field<&RuleParameters::ballHolding>(
+            Unit::s, "a field player's, or the keeper's outside of its penalty area", seconds),
+        field<&RuleParameters::keeperBallHolding>(Unit::s, "the keeper's in its penalty area",
+                                                  seconds),
+        field<&RuleParameters::keeperCharge>(
+            Unit::s, "walking into the other keeper in its penalty area", seconds),
+        field<&RuleParameters::fieldPlayerCharge>(
+            Unit::s, "walking into any other robot of the other team", seconds),
+        field<&RuleParameters::illegalDefender>(Unit::s, "a field player in the own penalty area",
+                                                seconds),
+        field<&RuleParameters::illegalDefense>(
+            Unit::s, "in the center circle at the other team's kick-off", seconds),
+        field<&RuleParameters::obstruction>(
+            Unit::s, "standing in an opponent's path, far from the ball", seconds),
+        field<&RuleParameters::requestForPickup>(Unit::s, "lying on the side without getting up",
+                                                 seconds),
+        field<&RuleParameters::removal>(Unit::s, "for all penalties but obstruction", seconds),
+        field<&RuleParameters::obstructionRemoval>(Unit::s, seconds),
+        field<&RuleParameters::shots>("of each team in a shoot-out", {1, 100}),
+        field<&RuleParameters::shotTime>(Unit::s, "for one shot", {1, 600})};
   }
 };
 

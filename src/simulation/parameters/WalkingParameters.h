@@ -19,21 +19,21 @@ struct WalkingParameters {
   static constexpr auto fields() {
     using P = WalkingParameters;
     return Fields{
-        field("shortfall", &P::shortfall, "",
-              "share by which all walked distances are shorter on this carpet", {-0.5, 0.9}),
-        field("gaitShortfall", &P::gaitShortfall, "",
-              "share that is added to it at 200 mm/s, in proportion to the speed", {-0.5, 0.9}),
-        field("bursts", &P::bursts, "1/min", "how often a robot that walks begins to slip",
-              {0, 1000}),
-        field("burstTime", &P::burstTime, "s", "mean time for which it slips", {0.01, 60}),
-        field("burstSlip", &P::burstSlip, "", "share of the distance that is lost meanwhile",
-              {0, 1}),
-        field("contactTurn", &P::contactTurn, "deg/s",
-              "at most, by which a robot is turned that walks against a wall or a robot", {0, 360}),
-        field("contactLag", &P::contactLag, "",
-              "share by which its legs move less than free ones would in the same time", {0, 0.9}),
-        field("contactShaking", &P::contactShaking, "mm/s^2",
-              "standard deviation of what its acceleration sensors feel of that", {0, 20000})};
+        field<&P::shortfall>("share by which all walked distances are shorter on this carpet",
+                             {-0.5, 0.9}),
+        field<&P::gaitShortfall>(
+            "share that is added to it at 200 mm/s, in proportion to the speed", {-0.5, 0.9}),
+        field<&P::bursts>(Unit::perMin, "how often a robot that walks begins to slip", {0, 1000}),
+        field<&P::burstTime>(Unit::s, "mean time for which it slips", {0.01, 60}),
+        field<&P::burstSlip>("share of the distance that is lost meanwhile", {0, 1}),
+        field<&P::contactTurn>(
+            Unit::degPerS,
+            "at most, by which a robot is turned that walks against a wall or a robot", {0, 360}),
+        field<&P::contactLag>(
+            "share by which its legs move less than free ones would in the same time", {0, 0.9}),
+        field<&P::contactShaking>(
+            Unit::mmPerS2, "standard deviation of what its acceleration sensors feel of that",
+            {0, 20000})};
   }
 };
 

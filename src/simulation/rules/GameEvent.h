@@ -37,19 +37,17 @@ struct GameEvent {
 
   static constexpr auto fields() {
     return Fields{
-        field("type", &GameEvent::type),
-        field("time", &GameEvent::time, "ms"),
-        field("team", &GameEvent::team, "",
-              "that kicks off, scores or shoots, or whose robot was put by hand"),
-        field(
-            "number", &GameEvent::number, "",
+        field<&GameEvent::type>(),
+        field<&GameEvent::time>(Unit::ms),
+        field<&GameEvent::team>("that kicks off, scores or shoots, or whose robot was put by hand"),
+        field<&GameEvent::number>(
             "goal: the player that touched the ball last, of the other team if it is an own goal; "
             "otherwise the player concerned; 0 nobody"),
-        field("ownGoal", &GameEvent::ownGoal),
-        field("penalty", &GameEvent::penalty, "", "of a robot that is taken off the field"),
-        field("ballPosition", &GameEvent::ballPosition, "mm", "on the field"),
-        field("scoreRed", &GameEvent::scoreRed, "", "shots and an end by them: of the shoot-out"),
-        field("scoreBlue", &GameEvent::scoreBlue)};
+        field<&GameEvent::ownGoal>(),
+        field<&GameEvent::penalty>("of a robot that is taken off the field"),
+        field<&GameEvent::ballPosition>(Unit::mm, "on the field"),
+        field<&GameEvent::scoreRed>("shots and an end by them: of the shoot-out"),
+        field<&GameEvent::scoreBlue>()};
   }
 };
 

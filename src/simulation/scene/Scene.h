@@ -44,18 +44,21 @@ struct SceneRobot {
 
   static constexpr auto fields() {
     return Fields{
-        field("name", &SceneRobot::name, "", "unique; by default team and number: red1"),
-        field("team", &SceneRobot::team),
-        field("role", &SceneRobot::role),
-        field("x", &SceneRobot::x, "mm", "in the field's coordinates", {-1e4, 1e4}),
-        field("y", &SceneRobot::y, "mm", "", {-1e4, 1e4}),
-        field("rotation", &SceneRobot::rotation, "deg", "", {-360, 360}),
-        field("model", &SceneRobot::model, "", "MJCF file, from the scene's folder"),
-        field("layout", &SceneRobot::layout, "", "process layout, from the scene's folder"),
-        field("address", &SceneRobot::address, "", "hardware address, for robot.cfg"),
-        field("bodyTilt", &SceneRobot::bodyTilt, "deg",
-              "the body leans back so much more than its joints state (report B.4.5)", {-20, 20}),
-        field("bodyRoll", &SceneRobot::bodyRoll, "deg", "likewise to the right", {-20, 20})};
+        field<&SceneRobot::name>("unique; by default team and number: red1"),
+        field<&SceneRobot::team>(),
+        field<&SceneRobot::role>(),
+        field<&SceneRobot::x>(Unit::mm, "in the field's coordinates", {-1e4, 1e4}),
+        field<&SceneRobot::y>(Unit::mm, {-1e4, 1e4}),
+        field<&SceneRobot::rotation>(Unit::deg, {-360, 360}),
+        field<&SceneRobot::model>("MJCF file, from the scene's folder"),
+        field<&SceneRobot::layout>("process layout, from the scene's folder"),
+        field<&SceneRobot::address>("hardware address, for robot.cfg"),
+        field<&SceneRobot::bodyTilt>(
+            Unit::deg, "the body leans back so much more than its joints state (report B.4.5)",
+            {-20, 20}),
+        field<&SceneRobot::bodyRoll>(
+            Unit::deg, "the body leans to the right so much more than its joints state",
+            {-20, 20})};
   }
 };
 
@@ -68,9 +71,9 @@ struct SceneBall {
   Vector2d position() const { return {x, y}; }
 
   static constexpr auto fields() {
-    return Fields{field("x", &SceneBall::x, "mm", "in the field's coordinates", {-1e4, 1e4}),
-                  field("y", &SceneBall::y, "mm", "", {-1e4, 1e4}),
-                  field("model", &SceneBall::model, "", "MJCF file, from the scene's folder")};
+    return Fields{field<&SceneBall::x>(Unit::mm, "in the field's coordinates", {-1e4, 1e4}),
+                  field<&SceneBall::y>(Unit::mm, {-1e4, 1e4}),
+                  field<&SceneBall::model>("MJCF file, from the scene's folder")};
   }
 };
 
@@ -125,23 +128,22 @@ struct SceneDescription {
 
   static constexpr auto fields() {
     return Fields{
-        gt::field("field", &SceneDescription::field, "", "MJCF file, from the scene's folder"),
-        gt::field("config", &SceneDescription::config, "", "folder of the configuration files"),
-        gt::field("script", &SceneDescription::script, "",
-                  "console script to begin with, from the scene's folder"),
-        gt::field("red", &SceneDescription::red, "",
-                  "team that plays red: a folder with files of its own, from the scene's folder"),
-        gt::field("blue", &SceneDescription::blue, "", "team that plays blue"),
-        gt::field(
-            "profile", &SceneDescription::profile, "",
+        gt::field<&SceneDescription::field>("MJCF file, from the scene's folder"),
+        gt::field<&SceneDescription::config>("folder of the configuration files"),
+        gt::field<&SceneDescription::script>(
+            "console script to begin with, from the scene's folder"),
+        gt::field<&SceneDescription::red>(
+            "team that plays red: a folder with files of its own, from the scene's folder"),
+        gt::field<&SceneDescription::blue>("team that plays blue"),
+        gt::field<&SceneDescription::profile>(
             "how far all is from perfect, where the scene does not state it; by default padova"),
-        gt::field("fidelity", &SceneDescription::fidelity),
-        gt::field("flags", &SceneDescription::flags, "",
-                  "whether the field has its flags: what is of the model's class flag"),
-        gt::field("audience", &SceneDescription::audience, "",
-                  "people in strong colors behind the outer wall", {0, 200}),
-        gt::field("referees", &SceneDescription::referees, "",
-                  "whose legs stand on the field, beside the walls", {0, 200})};
+        gt::field<&SceneDescription::fidelity>(),
+        gt::field<&SceneDescription::flags>(
+            "whether the field has its flags: what is of the model's class flag"),
+        gt::field<&SceneDescription::audience>("people in strong colors behind the outer wall",
+                                               {0, 200}),
+        gt::field<&SceneDescription::referees>("whose legs stand on the field, beside the walls",
+                                               {0, 200})};
   }
 };
 

@@ -27,10 +27,9 @@ class GT2003BehaviorControl {
     Tactics::Parameters tactics;
 
     static constexpr auto fields() {
-      return Fields{field("agent", &Parameters::agent, "",
-                          "of the behavior, which is executed; empty: its first one"),
-                    field("movement", &Parameters::movement),
-                    field("tactics", &Parameters::tactics)};
+      return Fields{
+          field<&Parameters::agent>("of the behavior, which is executed; empty: its first one"),
+          field<&Parameters::movement>(), field<&Parameters::tactics>()};
     }
   };
   Parameters parameters;

@@ -26,16 +26,15 @@ class ObstacleAvoiderOnGreenField {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("forward", &P::forward, "mm/s", "where all is green", {0, 400}),
-          field("turn", &P::turn, "degree/s", "where nothing ahead is", {0, 200}),
-          field("steer", &P::steer, "", "how strongly it turns to the greener side", {0, 10}),
-          field("blocked", &P::blocked, "",
-                "the way is blocked if green ahead reaches less far up, as a share of the image",
-                {0, 1}),
-          field("free", &P::free, "", "the way is free if it reaches farther", {0, 1}),
-          field("headTilt", &P::headTilt, "degree", "at which the robot looks at the ground",
-                {-88, 43}),
-          field("gap", &P::gap, "pixel", "so much that is not green ends the green", {1, 100})};
+          field<&P::forward>(Unit::mmPerS, "where all is green", {0, 400}),
+          field<&P::turn>(Unit::degPerS, "where nothing ahead is", {0, 200}),
+          field<&P::steer>("how strongly it turns to the greener side", {0, 10}),
+          field<&P::blocked>(
+              "the way is blocked if green ahead reaches less far up, as a share of the image",
+              {0, 1}),
+          field<&P::free>("the way is free if it reaches farther", {0, 1}),
+          field<&P::headTilt>(Unit::deg, "at which the robot looks at the ground", {-88, 43}),
+          field<&P::gap>(Unit::pixel, "so much that is not green ends the green", {1, 100})};
     }
   };
   Parameters parameters;

@@ -23,18 +23,15 @@ class FieldPilot {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("step", &P::step, "mm", "between two points of the path ahead", {5, 500}),
-          field("arrival", &P::arrival, "mm", "nearer to the target the path has arrived",
-                {1, 1000}),
-          field("longest", &P::longest, "mm", "longest path", {100, 1e5}),
-          field("cell", &P::cell, "mm", "size of the cells on which a way out is planned",
-                {20, 1000}),
-          field("repulsionCost", &P::repulsionCost, "",
-                "by which a way gets longer for each unit of repulsion on it; 0: local minima are "
-                "not left",
-                {0, 100}),
-          field("lookAhead", &P::lookAhead, "mm", "the robot heads for this point of the path",
-                {1, 1000})};
+          field<&P::step>(Unit::mm, "between two points of the path ahead", {5, 500}),
+          field<&P::arrival>(Unit::mm, "nearer to the target the path has arrived", {1, 1000}),
+          field<&P::longest>(Unit::mm, "longest path", {100, 1e5}),
+          field<&P::cell>(Unit::mm, "size of the cells on which a way out is planned", {20, 1000}),
+          field<&P::repulsionCost>(
+              "by which a way gets longer for each unit of repulsion on it; 0: local minima are "
+              "not left",
+              {0, 100}),
+          field<&P::lookAhead>(Unit::mm, "the robot heads for this point of the path", {1, 1000})};
     }
   };
 

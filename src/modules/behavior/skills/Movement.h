@@ -44,53 +44,61 @@ class Movement {
 
     static constexpr auto fields() {
       return Fields{
-          field("maxForward", &Parameters::maxForward, "mm/s",
-                "fastest walk ahead, of which a walk type does what it can", {10, 400}),
-          field("nearForward", &Parameters::nearForward, "mm/s",
-                "fastest walk ahead to a near ball", {10, 400}),
-          field("maxSideways", &Parameters::maxSideways, "mm/s", "fastest walk sideways and back",
-                {10, 400}),
-          field("maxTurn", &Parameters::maxTurn, "degree/s", "fastest turn", {10, 200}),
-          field("fastSideways", &Parameters::fastSideways, "mm/s",
-                "fastest walk sideways and back with the walk type fast", {10, 400}),
-          field("fastTurn", &Parameters::fastTurn, "degree/s",
-                "fastest turn with the walk type fast", {10, 200}),
-          field("slowest", &Parameters::slowest, "mm/s",
-                "speed at which the robot arrives at a place", {0, 400}),
-          field("braking", &Parameters::braking, "1/s",
-                "share of the distance to a place that it walks in a second, beside that", {0, 10}),
-          field("turning", &Parameters::turning, "1/s",
-                "share of the angle to its direction that it turns in a second", {0, 10}),
-          field("aroundBall", &Parameters::aroundBall, "mm", "radius of the path round the ball",
-                {100, 1000}),
-          field("clearance", &Parameters::clearance, "mm",
-                "width of a corridor through which the robot walks", {100, 1000}),
-          field("freeWay", &Parameters::freeWay, "mm",
-                "obstacles that are farther away in the walking direction do not count",
-                {100, 2000}),
-          field("keepOff", &Parameters::keepOff, "mm",
-                "least distance from the robot's middle to that of another robot", {0, 1000}),
-          field("giveWay", &Parameters::giveWay, "mm",
-                "the same if it gives way: it steps back from who is nearer", {0, 1000}),
-          field("pushTime", &Parameters::pushTime, "ms",
-                "for how long something holds its legs up until it steps back, if it ends pushes",
-                {0, 10'000}),
-          field("backTime", &Parameters::backTime, "ms", "for how long it steps back", {0, 10'000}),
-          field("backSpeed", &Parameters::backSpeed, "mm/s", "how fast it steps back", {0, 400}),
-          field("stopBefore", &Parameters::stopBefore, "mm",
-                "distance from the robot's middle to an obstacle at which it stops", {0, 1000}),
-          field("faceTarget", &Parameters::faceTarget, "mm",
-                "nearer to the target of a potential field the robot turns as it shall stand there",
-                {0, 1e4}),
-          field("offOwnArea", &Parameters::offOwnArea, "mm",
-                "least distance from the robot's middle to the own penalty area, if it keeps off "
-                "that",
-                {0, 500}),
-          field("pastOwnArea", &Parameters::pastOwnArea, "mm",
-                "further distance at which it walks past the area", {0, 500}),
-          field("leaveOwnArea", &Parameters::leaveOwnArea, "mm/s",
-                "least speed at which it leaves the area", {0, 400}),
-          field("pilot", &Parameters::pilot)};
+          field<&Parameters::maxForward>(
+              Unit::mmPerS, "fastest walk ahead, of which a walk type does what it can", {10, 400}),
+          field<&Parameters::nearForward>(Unit::mmPerS, "fastest walk ahead to a near ball",
+                                          {10, 400}),
+          field<&Parameters::maxSideways>(Unit::mmPerS, "fastest walk sideways and back",
+                                          {10, 400}),
+          field<&Parameters::maxTurn>(Unit::degPerS, "fastest turn", {10, 200}),
+          field<&Parameters::fastSideways>(
+              Unit::mmPerS, "fastest walk sideways and back with the walk type fast", {10, 400}),
+          field<&Parameters::fastTurn>(Unit::degPerS, "fastest turn with the walk type fast",
+                                       {10, 200}),
+          field<&Parameters::slowest>(Unit::mmPerS, "speed at which the robot arrives at a place",
+                                      {0, 400}),
+          field<&Parameters::braking>(
+              Unit::perS, "share of the distance to a place that it walks in a second, beside that",
+              {0, 10}),
+          field<&Parameters::turning>(
+              Unit::perS, "share of the angle to its direction that it turns in a second", {0, 10}),
+          field<&Parameters::aroundBall>(Unit::mm, "radius of the path round the ball",
+                                         {100, 1000}),
+          field<&Parameters::clearance>(
+              Unit::mm, "width of a corridor through which the robot walks", {100, 1000}),
+          field<&Parameters::freeWay>(
+              Unit::mm, "obstacles that are farther away in the walking direction do not count",
+              {100, 2000}),
+          field<&Parameters::keepOff>(
+              Unit::mm, "least distance from the robot's middle to that of another robot",
+              {0, 1000}),
+          field<&Parameters::giveWay>(
+              Unit::mm,
+              "least distance to another robot while it gives way: it steps back from who is nearer",
+              {0, 1000}),
+          field<&Parameters::pushTime>(
+              Unit::ms,
+              "for how long something holds its legs up until it steps back, if it ends pushes",
+              {0, 10'000}),
+          field<&Parameters::backTime>(Unit::ms, "for how long it steps back", {0, 10'000}),
+          field<&Parameters::backSpeed>(Unit::mmPerS, "how fast it steps back", {0, 400}),
+          field<&Parameters::stopBefore>(
+              Unit::mm, "distance from the robot's middle to an obstacle at which it stops",
+              {0, 1000}),
+          field<&Parameters::faceTarget>(
+              Unit::mm,
+              "nearer to the target of a potential field the robot turns as it shall stand there",
+              {0, 1e4}),
+          field<&Parameters::offOwnArea>(
+              Unit::mm,
+              "least distance from the robot's middle to the own penalty area, if it keeps off "
+              "that",
+              {0, 500}),
+          field<&Parameters::pastOwnArea>(
+              Unit::mm, "further distance at which it walks past the area", {0, 500}),
+          field<&Parameters::leaveOwnArea>(Unit::mmPerS, "least speed at which it leaves the area",
+                                           {0, 400}),
+          field<&Parameters::pilot>()};
     }
   };
 

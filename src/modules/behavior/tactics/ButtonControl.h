@@ -16,11 +16,11 @@ class ButtonControl {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("longPress", &P::longPress, "ms",
-                "pressing the back switch longer stops the game; shorter begins what is next",
-                {0, 10000}),
-          field("tailPush", &P::tailPush, "degree", "so far aside the tail is pushed by hand",
-                {1, 22})};
+          field<&P::longPress>(
+              Unit::ms,
+              "pressing the back switch longer stops the game; shorter begins what is next",
+              {0, 10000}),
+          field<&P::tailPush>(Unit::deg, "so far aside the tail is pushed by hand", {1, 22})};
     }
   };
 

@@ -28,15 +28,14 @@ class KickChoice {
     static constexpr auto fields() {
       using H = Haste;
       return Fields{
-          field("second", &H::second, "", "cost of a second until the ball is on its way", {0, 1}),
-          field("enough", &H::enough, "", "by how much a kick may be worse than the plan", {0, 1}),
-          field("impatience", &H::impatience, "", "by how much more with each second at the ball",
-                {0, 1}),
-          field("reliable", &H::reliable, "",
-                "share of the balls that a kick moves from where the ball lies", {0, 1}),
-          field("strong", &H::strong, "",
-                "how far it moves them from there, as a share of the way from its best place",
-                {0, 1})};
+          field<&H::second>("cost of a second until the ball is on its way", {0, 1}),
+          field<&H::enough>("by how much a kick may be worse than the plan", {0, 1}),
+          field<&H::impatience>("by how much more with each second at the ball", {0, 1}),
+          field<&H::reliable>("share of the balls that a kick moves from where the ball lies",
+                              {0, 1}),
+          field<&H::strong>(
+              "how far it moves them from there, as a share of the way from its best place",
+              {0, 1})};
     }
   };
   struct Parameters {
@@ -87,76 +86,72 @@ class KickChoice {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("ahead", &P::ahead, "",
-                "worth of a ball at the opponent's ground line; at the own one it is as bad",
-                {0, 1}),
-          field("shot", &P::shot, "",
-                "worth of each radian at which the opponent's goal is seen from the ball; the own "
-                "one's is as bad",
-                {0, 1}),
-          field("widestGoal", &P::widestGoal, "rad", "a wider goal counts like this", {0.1, 3.2}),
-          field("possession", &P::possession, "",
-                "worth of a ball that a teammate reaches a meter before any opponent", {0, 1}),
-          field("opponentFar", &P::opponentFar, "mm", "distance of opponents that nobody knows of",
-                {0, 5000}),
-          field("blocked", &P::blocked, "", "cost of a ball that somebody stops", {0, 1}),
-          field("fieldPlayer", &P::fieldPlayer, "", "how soon field players kick"),
-          field("goalie", &P::goalie, "", "how soon a goalie does"),
-          field("opponentSpeed", &P::opponentSpeed, "mm/s", "of one that comes to the ball",
-                {10, 1000}),
-          field("opponentReach", &P::opponentReach, "mm",
-                "from the ball to the middle of one that is there", {0, 1000}),
-          field("disturbed", &P::disturbed, "",
-                "share of the balls that stay where they are because an opponent is there, too",
-                {0, 1}),
-          field("arrives", &P::arrives, "s", "so uncertain it is when an opponent is there",
-                {0.01, 10}),
-          field("walkSpeed", &P::walkSpeed, "mm/s", "to the ball", {10, 1000}),
-          field("turnSpeed", &P::turnSpeed, "degree/s", "beside the ball", {1, 1000}),
-          field("aroundSpeed", &P::aroundSpeed, "degree/s", "around the ball", {1, 1000}),
-          field("aim", &P::aim, "degree", "how far the robot faces elsewhere than planned",
-                {0, 90}),
-          field("sees", &P::sees, "degree", "how far the ball lies elsewhere than seen", {0, 90}),
-          field("nearBall", &P::nearBall, "mm", "how near it a robot is at the ball", {0, 1000}),
-          field("stopping", &P::stopping, "s",
-                "so long the robot goes on walking until it begins to kick", {0, 1}),
-          field("misplaced", &P::misplaced, "mm",
-                "how far the ball lies elsewhere when a kick begins", {0, 100}),
-          field("follows", &P::follows, "mm",
-                "so far off a kicked ball is looked for in the direction in which it went",
-                {0, 5000}),
-          field("accurate", &P::accurate, "degree",
-                "how far the balls of a kick spread from where the ball lies, at most", {0, 180}),
-          field("holds", &P::holds, "",
-                "share of reliable, strong and accurate that is enough for a kick that is about to "
-                "begin",
-                {0.1, 1}),
-          field("mostFalls", &P::mostFalls, "", "share of falls after which a kick is not used",
-                {0, 1}),
-          field("longest", &P::longest, "s", "kicks that take longer are not used", {0, 10}),
-          field("ownGoalRisk", &P::ownGoalRisk, "",
-                "share of the balls that may roll into the own goal after a goalie's kick", {0, 1}),
-          field("otherPlan", &P::otherPlan, "", "by how much another plan has to be better",
-                {0, 1}),
-          field("begins", &P::begins, "ms", "so long a robot tries to begin a kick", {0, 5000}),
-          field("lasts", &P::lasts, "",
-                "how long a plan lasts, as a share of the time that the robot needs until it is "
-                "near the ball; and how far the ball moves meanwhile, as a share of its distance",
-                {0, 1}),
-          field("ballCorridor", &P::ballCorridor, "mm",
-                "width of the corridor that a ball needs between obstacles", {0, 1000}),
-          field("handled", &P::handled, "mm",
-                "obstacles around a ball that is farther away do not count", {0, 5000}),
-          field("postClearance", &P::postClearance, "mm",
-                "from a post to the middle of a ball that surely goes in, or surely not into the "
-                "own goal",
-                {0, 300}),
-          field("wallClearance", &P::wallClearance, "mm",
-                "room that the body's middle needs beside a wall", {0, 1000}),
-          field("bodyLength", &P::bodyLength, "mm",
-                "from the ball to the middle of the hind part of a robot behind it", {0, 1000}),
-          field("cornerClearance", &P::cornerClearance, "",
-                "room in a corner, as a multiple of that beside a wall", {0, 10})};
+          field<&P::ahead>(
+              "worth of a ball at the opponent's ground line; at the own one it is as bad", {0, 1}),
+          field<&P::shot>(
+              "worth of each radian at which the opponent's goal is seen from the ball; the own "
+              "one's is as bad",
+              {0, 1}),
+          field<&P::widestGoal>(Unit::rad, "a wider goal counts like this", {0.1, 3.2}),
+          field<&P::possession>(
+              "worth of a ball that a teammate reaches a meter before any opponent", {0, 1}),
+          field<&P::opponentFar>(Unit::mm, "distance of opponents that nobody knows of", {0, 5000}),
+          field<&P::blocked>("cost of a ball that somebody stops", {0, 1}),
+          field<&P::fieldPlayer>("how soon field players kick"),
+          field<&P::goalie>("how soon a goalie does"),
+          field<&P::opponentSpeed>(Unit::mmPerS, "of one that comes to the ball", {10, 1000}),
+          field<&P::opponentReach>(Unit::mm, "from the ball to the middle of one that is there",
+                                   {0, 1000}),
+          field<&P::disturbed>(
+              "share of the balls that stay where they are because an opponent is there, too",
+              {0, 1}),
+          field<&P::arrives>(Unit::s, "so uncertain it is when an opponent is there", {0.01, 10}),
+          field<&P::walkSpeed>(Unit::mmPerS, "to the ball", {10, 1000}),
+          field<&P::turnSpeed>(Unit::degPerS, "beside the ball", {1, 1000}),
+          field<&P::aroundSpeed>(Unit::degPerS, "around the ball", {1, 1000}),
+          field<&P::aim>(Unit::deg, "how far the robot faces elsewhere than planned", {0, 90}),
+          field<&P::sees>(Unit::deg, "how far the ball lies elsewhere than seen", {0, 90}),
+          field<&P::nearBall>(Unit::mm, "how near it a robot is at the ball", {0, 1000}),
+          field<&P::stopping>(Unit::s, "so long the robot goes on walking until it begins to kick",
+                              {0, 1}),
+          field<&P::misplaced>(Unit::mm, "how far the ball lies elsewhere when a kick begins",
+                               {0, 100}),
+          field<&P::follows>(
+              Unit::mm, "so far off a kicked ball is looked for in the direction in which it went",
+              {0, 5000}),
+          field<&P::accurate>(
+              Unit::deg, "how far the balls of a kick spread from where the ball lies, at most",
+              {0, 180}),
+          field<&P::holds>(
+              "share of reliable, strong and accurate that is enough for a kick that is about to "
+              "begin",
+              {0.1, 1}),
+          field<&P::mostFalls>("share of falls after which a kick is not used", {0, 1}),
+          field<&P::longest>(Unit::s, "kicks that take longer are not used", {0, 10}),
+          field<&P::ownGoalRisk>(
+              "share of the balls that may roll into the own goal after a goalie's kick", {0, 1}),
+          field<&P::otherPlan>("by how much another plan has to be better", {0, 1}),
+          field<&P::begins>(Unit::ms, "so long a robot tries to begin a kick", {0, 5000}),
+          field<&P::lasts>(
+              "how long a plan lasts, as a share of the time that the robot needs until it is "
+              "near the ball; and how far the ball moves meanwhile, as a share of its distance",
+              {0, 1}),
+          field<&P::ballCorridor>(
+              Unit::mm, "width of the corridor that a ball needs between obstacles", {0, 1000}),
+          field<&P::handled>(Unit::mm, "obstacles around a ball that is farther away do not count",
+                             {0, 5000}),
+          field<&P::postClearance>(
+              Unit::mm,
+              "from a post to the middle of a ball that surely goes in, or surely not into the "
+              "own goal",
+              {0, 300}),
+          field<&P::wallClearance>(Unit::mm, "room that the body's middle needs beside a wall",
+                                   {0, 1000}),
+          field<&P::bodyLength>(Unit::mm,
+                                "from the ball to the middle of the hind part of a robot behind it",
+                                {0, 1000}),
+          field<&P::cornerClearance>("room in a corner, as a multiple of that beside a wall",
+                                     {0, 10})};
     }
   };
 

@@ -20,15 +20,14 @@ struct PlayValues {
   static constexpr auto fields() {
     using P = PlayValues;
     return Fields{
-        field("columns", &P::columns, "", "from the own ground line to the opponent's", {0, 100}),
-        field("rows", &P::rows, "", "from the middle to the left side line", {0, 100}),
-        field("nearer", &P::nearer, "mm",
-              "a team that is nearer by so much has the ball e times as likely", {1, 5000}),
-        field("ours", &P::ours, "",
-              "worth of a ball that the own team has, -1 to 1, column by column"),
-        field("theirs", &P::theirs, "", "the same of one that the opponents have"),
-        field("ahead", &P::ahead, "mm", "place of the supporter that stands ahead of the other"),
-        field("behind", &P::behind, "mm", "place of the other one")};
+        field<&P::columns>("from the own ground line to the opponent's", {0, 100}),
+        field<&P::rows>("from the middle to the left side line", {0, 100}),
+        field<&P::nearer>(
+            Unit::mm, "a team that is nearer by so much has the ball e times as likely", {1, 5000}),
+        field<&P::ours>("worth of a ball that the own team has, -1 to 1, column by column"),
+        field<&P::theirs>("worth of a ball that the opponents have, -1 to 1, column by column"),
+        field<&P::ahead>(Unit::mm, "place of the supporter that stands ahead of the other"),
+        field<&P::behind>(Unit::mm, "place of the other one")};
   }
 
   bool empty() const { return columns == 0; }

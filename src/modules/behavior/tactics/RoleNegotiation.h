@@ -24,21 +24,26 @@ class RoleNegotiation {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("gone", &P::gone, "ms",
-                "a teammate is gone if others have been heard for so long without it", {0, 60000}),
-          field("silence", &P::silence, "ms",
-                "a teammate is gone if nobody has been heard for so long", {0, 600000}),
-          field("fresh", &P::fresh, "ms",
-                "the ball is left to nobody if nobody has been heard for so long", {0, 60000}),
-          field("messageTime", &P::messageTime, "ms",
-                "from a robot's decision until a teammate follows it, if the radio works",
-                {0, 5000}),
-          field("strikerAdvantage", &P::strikerAdvantage, "ms",
-                "so much later than a teammate the present striker may reach the ball", {0, 60000}),
-          field("delay", &P::delay, "ms",
-                "how long another role has to be the better one until it is taken", {0, 10000}),
-          field("forwardAdvantage", &P::forwardAdvantage, "mm",
-                "so far behind others the present offensive supporter may stand", {0, 5000})};
+          field<&P::gone>(Unit::ms,
+                          "a teammate is gone if others have been heard for so long without it",
+                          {0, 60000}),
+          field<&P::silence>(Unit::ms, "a teammate is gone if nobody has been heard for so long",
+                             {0, 600000}),
+          field<&P::fresh>(Unit::ms,
+                           "the ball is left to nobody if nobody has been heard for so long",
+                           {0, 60000}),
+          field<&P::messageTime>(
+              Unit::ms, "from a robot's decision until a teammate follows it, if the radio works",
+              {0, 5000}),
+          field<&P::strikerAdvantage>(
+              Unit::ms, "so much later than a teammate the present striker may reach the ball",
+              {0, 60000}),
+          field<&P::delay>(Unit::ms,
+                           "how long another role has to be the better one until it is taken",
+                           {0, 10000}),
+          field<&P::forwardAdvantage>(
+              Unit::mm, "so far behind others the present offensive supporter may stand",
+              {0, 5000})};
     }
   };
 

@@ -37,35 +37,36 @@ class Tactics {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("ownBall", &P::ownBall, "ms",
-                "so long after it was seen the robot's own ball counts, then the team's",
-                {0, 60000}),
-          field("teammateWidth", &P::teammateWidth, "mm",
-                "width of a teammate as an obstacle, where its message says it is", {0, 1000}),
-          field("obstacleMemory", &P::obstacleMemory, "ms",
-                "an obstacle that was not seen for so long does not count, as robots move",
-                {0, 1e5}),
-          field("deceleration", &P::deceleration, "mm/s^2", "of a rolling ball", {0, 10000}),
-          field("walkSpeed", &P::walkSpeed, "mm/ms", "speed in the estimated time to the ball",
-                {0.01, 1}),
-          field("turnSpeed", &P::turnSpeed, "rad/ms",
-                "speed of turning to the ball in the estimated time", {1e-4, 0.01}),
-          field("wrongSide", &P::wrongSide, "mm/rad",
-                "further distance in that time for each rad around the ball to behind it",
-                {0, 2000}),
-          field("unseenBall", &P::unseenBall, "",
-                "further time for each unit of time that the robot has not seen the ball", {0, 10}),
-          field("longestUnseen", &P::longestUnseen, "ms", "a longer time counts like this one",
-                {0, 60000}),
-          field("blockedWay", &P::blockedWay, "ms",
-                "further time if the direct way to the ball is blocked", {0, 60000}),
-          field("besideBall", &P::besideBall, "mm",
-                "obstacles that are nearer to the ball do not block the way to it", {0, 5000}),
-          field("roles", &P::roles),
-          field("connected", &P::connected, "ms",
-                "a teammate from which nothing was heard for so long is not connected", {0, 60000}),
-          field("buttons", &P::buttons),
-          field("kick", &P::kick)};
+          field<&P::ownBall>(
+              Unit::ms, "so long after it was seen the robot's own ball counts, then the team's",
+              {0, 60000}),
+          field<&P::teammateWidth>(
+              Unit::mm, "width of a teammate as an obstacle, where its message says it is",
+              {0, 1000}),
+          field<&P::obstacleMemory>(
+              Unit::ms, "an obstacle that was not seen for so long does not count, as robots move",
+              {0, 1e5}),
+          field<&P::deceleration>(Unit::mmPerS2, "of a rolling ball", {0, 10000}),
+          field<&P::walkSpeed>(Unit::mmPerMs, "speed in the estimated time to the ball", {0.01, 1}),
+          field<&P::turnSpeed>(Unit::radPerMs, "speed of turning to the ball in the estimated time",
+                               {1e-4, 0.01}),
+          field<&P::wrongSide>(
+              Unit::mmPerRad,
+              "further distance in that time for each rad around the ball to behind it", {0, 2000}),
+          field<&P::unseenBall>(
+              "further time for each unit of time that the robot has not seen the ball", {0, 10}),
+          field<&P::longestUnseen>(Unit::ms, "a longer time counts like this one", {0, 60000}),
+          field<&P::blockedWay>(Unit::ms, "further time if the direct way to the ball is blocked",
+                                {0, 60000}),
+          field<&P::besideBall>(Unit::mm,
+                                "obstacles that are nearer to the ball do not block the way to it",
+                                {0, 5000}),
+          field<&P::roles>(),
+          field<&P::connected>(
+              Unit::ms, "a teammate from which nothing was heard for so long is not connected",
+              {0, 60000}),
+          field<&P::buttons>(),
+          field<&P::kick>()};
     }
   };
 

@@ -24,14 +24,14 @@ class BallChallengeBallLocator {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("positions", &P::positions, "",
-                "number of percepts over which the position is averaged", {1, mostPercepts}),
-          field("speeds", &P::speeds, "", "number of speeds over which the speed is averaged",
-                {1, mostPercepts}),
-          field("longestGap", &P::longestGap, "ms",
-                "longest time without the ball that does not end the averages and the consecutive "
-                "time seen",
-                {0, 10000})};
+          field<&P::positions>("number of percepts over which the position is averaged",
+                               {1, mostPercepts}),
+          field<&P::speeds>("number of speeds over which the speed is averaged", {1, mostPercepts}),
+          field<&P::longestGap>(
+              Unit::ms,
+              "longest time without the ball that does not end the averages and the consecutive "
+              "time seen",
+              {0, 10000})};
     }
   };
   Parameters parameters;

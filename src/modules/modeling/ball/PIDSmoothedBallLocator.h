@@ -29,35 +29,35 @@ class PIDSmoothedBallLocator {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("proportional", &P::proportional, "",
-                "share of a difference by which the position moves", {0, 1}),
-          field("integral", &P::integral, "",
-                "share of a difference that becomes speed, from image to image", {0, 1}),
-          field("trustedDistance", &P::trustedDistance, "mm",
-                "distance at which a percept's distance counts half, since its noise grows with it",
-                {1, 1e5}),
-          field("outlierDistance", &P::outlierDistance, "mm",
-                "difference beyond which a percept is doubted", {0, 1e4}),
-          field("outlierShare", &P::outlierShare, "",
-                "share of the distance that is added to outlierDistance", {0, 2}),
-          field("outliersBelieved", &P::outliersBelieved, "",
-                "number of doubted percepts in a row that are believed", {1, 100}),
-          field("forgetPosition", &P::forgetPosition, "ms",
-                "time without the ball after which the next percept is believed if it is near",
-                {0, 100000}),
-          field("believedAtOnce", &P::believedAtOnce, "mm",
-                "greatest distance at which it is: what is farther away is small in the image and "
-                "often wrong",
-                {0, 1e5}),
-          field("slowDown", &P::slowDown, "1/s",
-                "share of its speed that a rolling ball loses in a second", {0, 10}),
-          field("slowDownUnseen", &P::slowDownUnseen, "1/s", "the same for a ball that is not seen",
-                {0, 100}),
-          field("fastestBall", &P::fastestBall, "mm/s", "greatest speed that is believed",
-                {1, 1e5}),
-          field("longestGap", &P::longestGap, "ms",
-                "longest time without the ball that does not end the consecutive time seen",
-                {0, 10000})};
+          field<&P::proportional>("share of a difference by which the position moves", {0, 1}),
+          field<&P::integral>("share of a difference that becomes speed, from image to image",
+                              {0, 1}),
+          field<&P::trustedDistance>(
+              Unit::mm,
+              "distance at which a percept's distance counts half, since its noise grows with it",
+              {1, 1e5}),
+          field<&P::outlierDistance>(Unit::mm, "difference beyond which a percept is doubted",
+                                     {0, 1e4}),
+          field<&P::outlierShare>("share of the distance that is added to outlierDistance", {0, 2}),
+          field<&P::outliersBelieved>("number of doubted percepts in a row that are believed",
+                                      {1, 100}),
+          field<&P::forgetPosition>(
+              Unit::ms,
+              "time without the ball after which the next percept is believed if it is near",
+              {0, 100000}),
+          field<&P::believedAtOnce>(
+              Unit::mm,
+              "greatest distance at which it is: what is farther away is small in the image and "
+              "often wrong",
+              {0, 1e5}),
+          field<&P::slowDown>(Unit::perS,
+                              "share of its speed that a rolling ball loses in a second", {0, 10}),
+          field<&P::slowDownUnseen>(Unit::perS, "share by which a ball that is not seen slows down",
+                                    {0, 100}),
+          field<&P::fastestBall>(Unit::mmPerS, "greatest speed that is believed", {1, 1e5}),
+          field<&P::longestGap>(
+              Unit::ms, "longest time without the ball that does not end the consecutive time seen",
+              {0, 10000})};
     }
   };
   Parameters parameters;

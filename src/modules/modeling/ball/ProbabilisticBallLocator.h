@@ -38,45 +38,41 @@ class ProbabilisticBallLocator {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("deceleration", &P::deceleration, "mm/s^2", "deceleration of a rolling ball",
-                {0, 10000}),
-          field("push", &P::push, "mm/s per root of a second",
-                "standard deviation of what a second adds to a ball's speed by chance", {0, 10000}),
-          field("acrossNoise", &P::acrossNoise, "mm",
-                "standard deviation of a percept across the line of sight", {1, 1000}),
-          field("acrossShare", &P::acrossShare, "",
-                "what is added to that, as a share of the distance", {0, 1}),
-          field("alongNoise", &P::alongNoise, "mm",
-                "standard deviation of a percept along the line of sight", {1, 1000}),
-          field("alongShare", &P::alongShare, "",
-                "what is added to that, as a share of the distance", {0, 1}),
-          field(
-              "alongTilt", &P::alongTilt, "1/mm",
+          field<&P::deceleration>(Unit::mmPerS2, "deceleration of a rolling ball", {0, 10000}),
+          field<&P::push>(Unit::mmPerSPerRootS,
+                          "standard deviation of what a second adds to a ball's speed by chance",
+                          {0, 10000}),
+          field<&P::acrossNoise>(
+              Unit::mm, "standard deviation of a percept across the line of sight", {1, 1000}),
+          field<&P::acrossShare>("what is added to that, as a share of the distance", {0, 1}),
+          field<&P::alongNoise>(Unit::mm, "standard deviation of a percept along the line of sight",
+                                {1, 1000}),
+          field<&P::alongShare>("what is added to that, as a share of the distance", {0, 1}),
+          field<&P::alongTilt>(
+              Unit::perMm,
               "what is added for each mm^2 of the distance squared: the error of the camera's tilt",
               {0, 1}),
-          field("stepNoise", &P::stepNoise, "",
-                "standard deviation of a step, as a share of its length", {0, 1}),
-          field("turnNoise", &P::turnNoise, "",
-                "standard deviation of a turn, as a share of its angle", {0, 1}),
-          field("newSpeed", &P::newSpeed, "mm/s",
-                "standard deviation of the speed of a ball that is new or was just kicked",
-                {1, 10000}),
-          field("kicked", &P::kicked, "",
-                "probability that a ball is kicked from one image to the next", {0, 1}),
-          field("falseDensity", &P::falseDensity, "1/mm^2", "density of wrong percepts", {0, 1}),
-          field("newDensity", &P::newDensity, "1/mm^2",
-                "density of balls that were moved or kicked", {1e-15, 1}),
-          field("missed", &P::missed, "",
-                "factor of a hypothesis's weight whenever the ball should be seen and is not",
-                {0, 1}),
-          field("missedRange", &P::missedRange, "mm", "distance within which a ball should be seen",
-                {0, 10000}),
-          field("forgetAfter", &P::forgetAfter, "ms",
-                "time without the ball after which the next percept is believed at once",
-                {0, 1000000}),
-          field("longestGap", &P::longestGap, "ms",
-                "longest time without the ball that does not end the consecutive time seen",
-                {0, 10000})};
+          field<&P::stepNoise>("standard deviation of a step, as a share of its length", {0, 1}),
+          field<&P::turnNoise>("standard deviation of a turn, as a share of its angle", {0, 1}),
+          field<&P::newSpeed>(
+              Unit::mmPerS,
+              "standard deviation of the speed of a ball that is new or was just kicked",
+              {1, 10000}),
+          field<&P::kicked>("probability that a ball is kicked from one image to the next", {0, 1}),
+          field<&P::falseDensity>(Unit::perMm2, "density of wrong percepts", {0, 1}),
+          field<&P::newDensity>(Unit::perMm2, "density of balls that were moved or kicked",
+                                {1e-15, 1}),
+          field<&P::missed>(
+              "factor of a hypothesis's weight whenever the ball should be seen and is not",
+              {0, 1}),
+          field<&P::missedRange>(Unit::mm, "distance within which a ball should be seen",
+                                 {0, 10000}),
+          field<&P::forgetAfter>(
+              Unit::ms, "time without the ball after which the next percept is believed at once",
+              {0, 1000000}),
+          field<&P::longestGap>(
+              Unit::ms, "longest time without the ball that does not end the consecutive time seen",
+              {0, 10000})};
     }
   };
   Parameters parameters;

@@ -30,29 +30,33 @@ class DefaultObstaclesLocator {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("useImages", &P::useImages, "", "whether images count"),
-          field("usePsd", &P::usePsd, "",
-                "whether the distance sensor counts; it did not in the competition"),
-          field("psdAgreement", &P::psdAgreement, "mm",
-                "the distance sensor's obstacle counts if the reading before was no farther off: "
-                "reflections are not; 0: every reading counts",
-                {0, 10000}),
-          field("forgetAfter", &P::forgetAfter, "ms",
-                "time after which a sector that is not seen again is forgotten", {100, 100000}),
-          field("caution", &P::caution, "rad",
-                "angle by which what stands at the end of free ground may be seen too high",
-                {0, 0.2}),
-          field(
-              "ballSize", &P::ballSize, "mm",
+          field<&P::useImages>("whether images count"),
+          field<&P::usePsd>("whether the distance sensor counts; it did not in the competition"),
+          field<&P::psdAgreement>(
+              Unit::mm,
+              "the distance sensor's obstacle counts if the reading before was no farther off: "
+              "reflections are not; 0: every reading counts",
+              {0, 10000}),
+          field<&P::forgetAfter>(Unit::ms,
+                                 "time after which a sector that is not seen again is forgotten",
+                                 {100, 100000}),
+          field<&P::caution>(
+              Unit::rad,
+              "angle by which what stands at the end of free ground may be seen too high",
+              {0, 0.2}),
+          field<&P::ballSize>(
+              Unit::mm,
               "distance from the ball within which the end of free ground is the ball, no obstacle",
               {0, 1000}),
-          field("ballTime", &P::ballTime, "ms", "time since the ball was seen for which that holds",
-                {0, 10000}),
-          field("lowestObstacle", &P::lowestObstacle, "mm",
-                "height of the lowest obstacle, which the distance sensor must not look over",
-                {1, 1000}),
-          field("highestObstacle", &P::highestObstacle, "mm",
-                "height above which what the distance sensor hits is no obstacle", {1, 10000})};
+          field<&P::ballTime>(Unit::ms, "time since the ball was seen for which that holds",
+                              {0, 10000}),
+          field<&P::lowestObstacle>(
+              Unit::mm,
+              "height of the lowest obstacle, which the distance sensor must not look over",
+              {1, 1000}),
+          field<&P::highestObstacle>(
+              Unit::mm, "height above which what the distance sensor hits is no obstacle",
+              {1, 10000})};
     }
   };
   Parameters parameters;

@@ -31,21 +31,21 @@ class GO2003PlayersLocator {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("memory", &P::memory, "ms", "time for which a percept is kept", {40, 10000}),
-          field("cell", &P::cell, "mm", "side of a cell of the grid", {20, 1000}),
-          field("spread", &P::spread, "mm",
-                "standard deviation with which a percept counts around its cell", {10, 1000}),
-          field("threshold", &P::threshold, "",
-                "number of percepts in one place that make a player; old ones count less",
-                {0, 100}),
-          field("playerSize", &P::playerSize, "mm",
-                "distance below which two players are the same one", {0, 2000}),
-          field("outside", &P::outside, "mm",
-                "distance outside of the field from which on a percept is no player", {0, 10000}),
-          field("silence", &P::silence, "ms", "time after which a teammate's position is too old",
-                {0, 100000}),
-          field("leastValidity", &P::leastValidity, "",
-                "least validity of a teammate's pose that is believed", {0, 1})};
+          field<&P::memory>(Unit::ms, "time for which a percept is kept", {40, 10000}),
+          field<&P::cell>(Unit::mm, "side of a cell of the grid", {20, 1000}),
+          field<&P::spread>(Unit::mm,
+                            "standard deviation with which a percept counts around its cell",
+                            {10, 1000}),
+          field<&P::threshold>(
+              "number of percepts in one place that make a player; old ones count less", {0, 100}),
+          field<&P::playerSize>(Unit::mm, "distance below which two players are the same one",
+                                {0, 2000}),
+          field<&P::outside>(Unit::mm,
+                             "distance outside of the field from which on a percept is no player",
+                             {0, 10000}),
+          field<&P::silence>(Unit::ms, "time after which a teammate's position is too old",
+                             {0, 100000}),
+          field<&P::leastValidity>("least validity of a teammate's pose that is believed", {0, 1})};
     }
   };
   Parameters parameters;

@@ -41,39 +41,41 @@ class TrackingPlayersLocator {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("memory", &P::memory, "ms", "time after which a player not seen again is forgotten",
-                {40, 60000}),
-          field("walk", &P::walk, "mm",
-                "standard deviation of how far a player walks within a second, and by its root in "
-                "longer times",
-                {0, 1000}),
-          field("alongShare", &P::alongShare, "",
-                "standard deviation of a percept's distance, as a share of it", {0, 1}),
-          field("acrossShare", &P::acrossShare, "",
-                "standard deviation of a percept across the line of sight, as a share of the "
-                "distance",
-                {0, 1}),
-          field("leastNoise", &P::leastNoise, "mm", "what both have at least", {1, 1000}),
-          field("farthest", &P::farthest, "mm", "distance up to which percepts count", {0, 10000}),
-          field("gate", &P::gate, "",
-                "standard deviations up to which a percept is that of a known player", {0.1, 10}),
-          field("playerSize", &P::playerSize, "mm",
-                "distance below which two players are the same one", {0, 2000}),
-          field("outside", &P::outside, "mm",
-                "distance outside of the field from which on a percept is no player", {0, 10000}),
-          field("seen", &P::seen, "", "share of the doubt in a player that a percept takes away",
-                {0, 1}),
-          field("missed", &P::missed, "",
-                "factor to the certainty of a player that should be seen and is not", {0, 1}),
-          field("known", &P::known, "", "certainty from which on a player counts", {0, 1}),
-          field("missedRange", &P::missedRange, "mm",
-                "distance up to which a player in the image is expected to be seen", {0, 10000}),
-          field("poseNoise", &P::poseNoise, "mm",
-                "standard deviation of where a teammate's pose puts what it sees", {0, 1000}),
-          field("silence", &P::silence, "ms", "time after which a teammate's message is too old",
-                {0, 100000}),
-          field("leastValidity", &P::leastValidity, "",
-                "least validity of a teammate's pose that is believed", {0, 1})};
+          field<&P::memory>(Unit::ms, "time after which a player not seen again is forgotten",
+                            {40, 60000}),
+          field<&P::walk>(
+              Unit::mm,
+              "standard deviation of how far a player walks within a second, and by its root in "
+              "longer times",
+              {0, 1000}),
+          field<&P::alongShare>("standard deviation of a percept's distance, as a share of it",
+                                {0, 1}),
+          field<&P::acrossShare>(
+              "standard deviation of a percept across the line of sight, as a share of the "
+              "distance",
+              {0, 1}),
+          field<&P::leastNoise>(Unit::mm, "what both have at least", {1, 1000}),
+          field<&P::farthest>(Unit::mm, "distance up to which percepts count", {0, 10000}),
+          field<&P::gate>("standard deviations up to which a percept is that of a known player",
+                          {0.1, 10}),
+          field<&P::playerSize>(Unit::mm, "distance below which two players are the same one",
+                                {0, 2000}),
+          field<&P::outside>(Unit::mm,
+                             "distance outside of the field from which on a percept is no player",
+                             {0, 10000}),
+          field<&P::seen>("share of the doubt in a player that a percept takes away", {0, 1}),
+          field<&P::missed>("factor to the certainty of a player that should be seen and is not",
+                            {0, 1}),
+          field<&P::known>("certainty from which on a player counts", {0, 1}),
+          field<&P::missedRange>(
+              Unit::mm, "distance up to which a player in the image is expected to be seen",
+              {0, 10000}),
+          field<&P::poseNoise>(Unit::mm,
+                               "standard deviation of where a teammate's pose puts what it sees",
+                               {0, 1000}),
+          field<&P::silence>(Unit::ms, "time after which a teammate's message is too old",
+                             {0, 100000}),
+          field<&P::leastValidity>("least validity of a teammate's pose that is believed", {0, 1})};
     }
   };
   Parameters parameters;

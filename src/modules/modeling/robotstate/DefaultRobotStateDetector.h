@@ -14,8 +14,8 @@ class DefaultRobotStateDetector {
     std::int64_t settleTime = 200;
 
     static constexpr auto fields() {
-      return Fields{field("settleTime", &Parameters::settleTime, "ms",
-                          "time for which a state must be perceived before it counts", {0, 10000})};
+      return Fields{field<&Parameters::settleTime>(
+          Unit::ms, "time for which a state must be perceived before it counts", {0, 10000})};
     }
   };
   Parameters parameters;

@@ -42,28 +42,24 @@ class EdgeModel {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("points", &P::points, "", "number of points of each type used in an image",
-                {1, 100}),
-          field("verticalWeight", &P::verticalWeight, "",
-                "weight of vertical angles while the robot stands, (3.18)", {0, 1e5}),
-          field("verticalWeightLoss", &P::verticalWeightLoss, "",
-                "loss of that weight at full speed, (3.18)", {0, 1e5}),
-          field("fastest", &P::fastest, "mm/s", "the full speed, (3.18)", {1, 1e4}),
-          field("horizontalWeight", &P::horizontalWeight, "", "weight of horizontal angles, (3.18)",
-                {0, 1e5}),
-          field("rise", &P::rise, "", "greatest rise of a likelihood by one point, (3.19)", {0, 1}),
-          field("fall", &P::fall, "", "greatest fall of a likelihood by one point, (3.19)", {0, 1}),
-          field("correction", &P::correction, "",
-                "share of the way to the edge by which a near point corrects a particle, standing",
-                {0, 1}),
-          field("correctionRange", &P::correctionRange, "mm",
-                "distance at which a point corrects half as much", {1, 1e5}),
-          field("correctionLimit", &P::correctionLimit, "mm",
-                "distance from the edge beyond which a point corrects nothing", {0, 1e5}),
-          field("farthest", &P::farthest, "mm", "points that are farther away are not used",
-                {0, 1e5}),
-          field("newLikelihood", &P::newLikelihood, "",
-                "likelihood of a new particle, as a share of the average", {0, 1})};
+          field<&P::points>("number of points of each type used in an image", {1, 100}),
+          field<&P::verticalWeight>("weight of vertical angles while the robot stands, (3.18)",
+                                    {0, 1e5}),
+          field<&P::verticalWeightLoss>("loss of that weight at full speed, (3.18)", {0, 1e5}),
+          field<&P::fastest>(Unit::mmPerS, "the full speed, (3.18)", {1, 1e4}),
+          field<&P::horizontalWeight>("weight of horizontal angles, (3.18)", {0, 1e5}),
+          field<&P::rise>("greatest rise of a likelihood by one point, (3.19)", {0, 1}),
+          field<&P::fall>("greatest fall of a likelihood by one point, (3.19)", {0, 1}),
+          field<&P::correction>(
+              "share of the way to the edge by which a near point corrects a particle, standing",
+              {0, 1}),
+          field<&P::correctionRange>(Unit::mm, "distance at which a point corrects half as much",
+                                     {1, 1e5}),
+          field<&P::correctionLimit>(
+              Unit::mm, "distance from the edge beyond which a point corrects nothing", {0, 1e5}),
+          field<&P::farthest>(Unit::mm, "points that are farther away are not used", {0, 1e5}),
+          field<&P::newLikelihood>("likelihood of a new particle, as a share of the average",
+                                   {0, 1})};
     }
   };
 

@@ -16,8 +16,7 @@ class FusionOf {
     SingleLandmarkSelfLocator::Parameters singleLandmark;
 
     static constexpr auto fields() {
-      return Fields{field("localization", &Parameters::localization),
-                    field("singleLandmark", &Parameters::singleLandmark)};
+      return Fields{field<&Parameters::localization>(), field<&Parameters::singleLandmark>()};
     }
   };
   Parameters parameters;

@@ -21,9 +21,8 @@ class GT2003SelfLocator {
     }
     static constexpr auto fields() {
       using P = Parameters;
-      return Fields{field("particles", &P::particles, "", "number of hypotheses", {1, 10000}),
-                    field("motion", &P::motion), field("landmarks", &P::landmarks),
-                    field("templates", &P::templates), field("edges", &P::edges)};
+      return Fields{field<&P::particles>("number of hypotheses", {1, 10000}), field<&P::motion>(),
+                    field<&P::landmarks>(), field<&P::templates>(), field<&P::edges>()};
     }
   };
   Parameters parameters;

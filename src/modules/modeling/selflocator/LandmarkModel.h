@@ -17,11 +17,9 @@ class LandmarkModel {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("steepness", &P::steepness, "", "steepness of the similarity of bearings, (3.11)",
-                {0, 1e5}),
-          field("rise", &P::rise, "", "greatest rise of a likelihood in one image, (3.13)", {0, 1}),
-          field("fall", &P::fall, "", "greatest fall of a likelihood in one image, (3.13)",
-                {0, 1})};
+          field<&P::steepness>("steepness of the similarity of bearings, (3.11)", {0, 1e5}),
+          field<&P::rise>("greatest rise of a likelihood in one image, (3.13)", {0, 1}),
+          field<&P::fall>("greatest fall of a likelihood in one image, (3.13)", {0, 1})};
     }
   };
 

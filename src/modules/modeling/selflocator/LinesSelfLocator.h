@@ -19,10 +19,10 @@ class LinesSelfLocator {
     }
     static constexpr auto fields() {
       using P = Parameters;
-      return Fields{field("particles", &P::particles, "", "number of hypotheses", {1, 10000}),
-                    field("motion", &P::motion), field("edges", &P::edges),
-                    field("newLikelihood", &P::newLikelihood, "",
-                          "likelihood of each kind that a particle has at the start", {0, 1})};
+      return Fields{field<&P::particles>("number of hypotheses", {1, 10000}), field<&P::motion>(),
+                    field<&P::edges>(),
+                    field<&P::newLikelihood>(
+                        "likelihood of each kind that a particle has at the start", {0, 1})};
     }
   };
   Parameters parameters;

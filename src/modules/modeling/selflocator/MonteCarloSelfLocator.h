@@ -23,9 +23,8 @@ class MonteCarloSelfLocator {
     }
     static constexpr auto fields() {
       using P = Parameters;
-      return Fields{field("particles", &P::particles, "", "number of hypotheses", {1, 10000}),
-                    field("motion", &P::motion), field("landmarks", &P::landmarks),
-                    field("templates", &P::templates)};
+      return Fields{field<&P::particles>("number of hypotheses", {1, 10000}), field<&P::motion>(),
+                    field<&P::landmarks>(), field<&P::templates>()};
     }
   };
   Parameters parameters;

@@ -27,18 +27,18 @@ struct MotionModel {
 
   static constexpr auto fields() {
     using M = MotionModel;
-    return Fields{field("forwardError", &M::forwardError, "",
-                        "error ahead, as a share of the distance walked, (3.8)", {0, 1}),
-                  field("sidewardError", &M::sidewardError, "",
-                        "error sideways, as a share of the distance walked, (3.8)", {0, 1}),
-                  field("turnErrorByDistance", &M::turnErrorByDistance, "rad/mm",
-                        "error of the rotation for each mm walked, (3.8)", {0, 0.1}),
-                  field("turnErrorByAngle", &M::turnErrorByAngle, "",
-                        "error of the rotation, as a share of the angle turned, (3.8)", {0, 1}),
-                  field("searchDistance", &M::searchDistance, "mm",
-                        "farthest random search of an improbable particle, (3.14)", {0, 1000}),
-                  field("searchAngle", &M::searchAngle, "rad",
-                        "widest random search of an improbable particle, (3.14)", {0, 3})};
+    return Fields{
+        field<&M::forwardError>("error ahead, as a share of the distance walked, (3.8)", {0, 1}),
+        field<&M::sidewardError>("error sideways, as a share of the distance walked, (3.8)",
+                                 {0, 1}),
+        field<&M::turnErrorByDistance>(Unit::radPerMm,
+                                       "error of the rotation for each mm walked, (3.8)", {0, 0.1}),
+        field<&M::turnErrorByAngle>("error of the rotation, as a share of the angle turned, (3.8)",
+                                    {0, 1}),
+        field<&M::searchDistance>(
+            Unit::mm, "farthest random search of an improbable particle, (3.14)", {0, 1000}),
+        field<&M::searchAngle>(Unit::rad, "widest random search of an improbable particle, (3.14)",
+                               {0, 3})};
   }
 };
 

@@ -66,12 +66,12 @@ struct TemplateReplacement {
   static constexpr auto fields() {
     using T = TemplateReplacement;
     return Fields{
-        field("replacement", &T::replacement, "",
-              "how often an improbable particle makes room for a template", {0, 1}),
-        field("randomReplacement", &T::randomReplacement, "",
-              "how often a particle that no template replaces becomes a random one", {0, 1}),
-        field("newProbability", &T::newProbability, "",
-              "likelihood of landmarks of a template or random particle", {0, 1})};
+        field<&T::replacement>("how often an improbable particle makes room for a template",
+                               {0, 1}),
+        field<&T::randomReplacement>(
+            "how often a particle that no template replaces becomes a random one", {0, 1}),
+        field<&T::newProbability>("likelihood of landmarks of a template or random particle",
+                                  {0, 1})};
   }
 };
 

@@ -31,29 +31,30 @@ class SingleLandmarkSelfLocator {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("progressiveness", &P::progressiveness, "",
-                "share of a correction that is made: 0 stalls, 1 follows each measurement", {0, 1}),
-          field("minimumQuality", &P::minimumQuality, "", "least quality of a landmark that counts",
-                {0, 1}),
-          field("distanceRange", &P::distanceRange, "mm",
-                "distance of a flag at which the quality of its distance is a half", {100, 10000}),
-          field("flagAngleQuality", &P::flagAngleQuality, "",
-                "quality of the direction of a flag that is seen whole", {0, 1}),
-          field("goalDistanceQuality", &P::goalDistanceQuality, "", "quality of a goal's distance",
-                {0, 1}),
-          field("goalAngleQuality", &P::goalAngleQuality, "",
-                "quality of the direction of a goal that is seen whole", {0, 1}),
-          field("positionTolerance", &P::positionTolerance, "mm",
-                "correction by which the reliability drops to nothing", {1, 10000}),
-          field("angleTolerance", &P::angleTolerance, "rad",
-                "correction of the orientation by which its reliability drops to nothing",
-                {0.01, 3}),
-          field("lossByTime", &P::lossByTime, "1/s",
-                "share of the reliability that is lost in a second", {0, 10}),
-          field("lossByDistance", &P::lossByDistance, "1/mm",
-                "share of the reliability of the position lost for each mm walked", {0, 1}),
-          field("lossByAngle", &P::lossByAngle, "1/rad",
-                "share of the reliability of the orientation lost for each rad turned", {0, 10})};
+          field<&P::progressiveness>(
+              "share of a correction that is made: 0 stalls, 1 follows each measurement", {0, 1}),
+          field<&P::minimumQuality>("least quality of a landmark that counts", {0, 1}),
+          field<&P::distanceRange>(
+              Unit::mm, "distance of a flag at which the quality of its distance is a half",
+              {100, 10000}),
+          field<&P::flagAngleQuality>("quality of the direction of a flag that is seen whole",
+                                      {0, 1}),
+          field<&P::goalDistanceQuality>("quality of a goal's distance", {0, 1}),
+          field<&P::goalAngleQuality>("quality of the direction of a goal that is seen whole",
+                                      {0, 1}),
+          field<&P::positionTolerance>(
+              Unit::mm, "correction by which the reliability drops to nothing", {1, 10000}),
+          field<&P::angleTolerance>(
+              Unit::rad, "correction of the orientation by which its reliability drops to nothing",
+              {0.01, 3}),
+          field<&P::lossByTime>(Unit::perS, "share of the reliability that is lost in a second",
+                                {0, 10}),
+          field<&P::lossByDistance>(
+              Unit::perMm, "share of the reliability of the position lost for each mm walked",
+              {0, 1}),
+          field<&P::lossByAngle>(
+              Unit::perRad, "share of the reliability of the orientation lost for each rad turned",
+              {0, 10})};
     }
   };
   Parameters parameters;

@@ -23,15 +23,17 @@ class DefaultTeamBallLocator {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("ownBallTime", &P::ownBallTime, "ms",
-                "time since the ball was seen for which the robot's own counts alone",
-                {0, 1000000}),
-          field("oldestBall", &P::oldestBall, "ms", "greatest age of a teammate's ball that counts",
-                {0, 1000000}),
-          field("silence", &P::silence, "ms",
-                "time without a message after which a teammate is taken to be gone", {0, 1000000}),
-          field("costOfDoubt", &P::costOfDoubt, "ms",
-                "age added to the ball of a teammate that does not know its pose", {0, 1000000})};
+          field<&P::ownBallTime>(
+              Unit::ms, "time since the ball was seen for which the robot's own counts alone",
+              {0, 1000000}),
+          field<&P::oldestBall>(Unit::ms, "greatest age of a teammate's ball that counts",
+                                {0, 1000000}),
+          field<&P::silence>(Unit::ms,
+                             "time without a message after which a teammate is taken to be gone",
+                             {0, 1000000}),
+          field<&P::costOfDoubt>(Unit::ms,
+                                 "age added to the ball of a teammate that does not know its pose",
+                                 {0, 1000000})};
     }
   };
   Parameters parameters;

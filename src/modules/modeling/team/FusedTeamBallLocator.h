@@ -30,26 +30,25 @@ class FusedTeamBallLocator {
       using P = Parameters;
       constexpr Range any{0, 1e6};
       return Fields{
-          field("ownBallTime", &P::ownBallTime, "ms",
-                "time since the ball was seen for which nothing counts that contradicts the "
-                "robot's own",
-                any),
-          field("oldestBall", &P::oldestBall, "ms", "greatest age of a ball that counts", any),
-          field("silence", &P::silence, "ms",
-                "time without a message after which a teammate is taken to be gone", any),
-          field("leastNoise", &P::leastNoise, "mm", "least standard deviation of a seen ball", any),
-          field("distanceShare", &P::distanceShare, "",
-                "standard deviation as a share of the distance, where its locator gives none", any),
-          field("poseNoise", &P::poseNoise, "mm", "standard deviation of a pose that is certain",
-                any),
-          field("doubtNoise", &P::doubtNoise, "mm", "addition to that for a pose of validity 0",
-                any),
-          field("directionNoise", &P::directionNoise, "rad",
-                "standard deviation of a pose's rotation, which moves what is far away", any),
-          field("drift", &P::drift, "mm/s", "growth of a ball's standard deviation with age", any),
-          field("deceleration", &P::deceleration, "mm/s^2", "deceleration of a rolling ball", any),
-          field("gate", &P::gate, "", "number of standard deviations within which two balls agree",
-                any)};
+          field<&P::ownBallTime>(
+              Unit::ms,
+              "time since the ball was seen for which nothing counts that contradicts the "
+              "robot's own",
+              any),
+          field<&P::oldestBall>(Unit::ms, "greatest age of a ball that counts", any),
+          field<&P::silence>(
+              Unit::ms, "time without a message after which a teammate is taken to be gone", any),
+          field<&P::leastNoise>(Unit::mm, "least standard deviation of a seen ball", any),
+          field<&P::distanceShare>(
+              "standard deviation as a share of the distance, where its locator gives none", any),
+          field<&P::poseNoise>(Unit::mm, "standard deviation of a pose that is certain", any),
+          field<&P::doubtNoise>(Unit::mm, "addition to that for a pose of validity 0", any),
+          field<&P::directionNoise>(
+              Unit::rad, "standard deviation of a pose's rotation, which moves what is far away",
+              any),
+          field<&P::drift>(Unit::mmPerS, "growth of a ball's standard deviation with age", any),
+          field<&P::deceleration>(Unit::mmPerS2, "deceleration of a rolling ball", any),
+          field<&P::gate>("number of standard deviations within which two balls agree", any)};
     }
   };
   Parameters parameters;

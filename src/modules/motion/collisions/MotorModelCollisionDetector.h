@@ -22,11 +22,12 @@ class MotorModelCollisionDetector {
 
     static constexpr auto fields() {
       return Fields{
-          field("motors", &Walk::motors, "1, rad",
-                "of the legs' joints from legFR1 on: shares of the last commands, newest first, "
-                "and a constant"),
-          field("weights", &Walk::weights, "", "of the features of CollisionFeatures.h"),
-          field("constant", &Walk::constant, "", "added to them: a collision is above 0")};
+          field<&Walk::motors>(
+              Unit::oneRad,
+              "of the legs' joints from legFR1 on: shares of the last commands, newest first, "
+              "and a constant"),
+          field<&Walk::weights>("of the features of CollisionFeatures.h"),
+          field<&Walk::constant>("added to them: a collision is above 0")};
     }
   };
 
@@ -39,10 +40,10 @@ class MotorModelCollisionDetector {
 
     static constexpr auto fields() {
       using P = Parameters;
-      return Fields{field("normal", &P::normal), field("fast", &P::fast),
-                    field("dribble", &P::dribble),
-                    field("inARow", &P::inARow, "frames",
-                          "number of frames above the threshold that make a collision", {1, 100})};
+      return Fields{field<&P::normal>(), field<&P::fast>(), field<&P::dribble>(),
+                    field<&P::inARow>(Unit::frames,
+                                      "number of frames above the threshold that make a collision",
+                                      {1, 100})};
     }
   };
   Parameters parameters;

@@ -41,22 +41,22 @@ class ReportCollisionDetector {
       using P = Parameters;
       constexpr Range frames{0, mostFrames};
       return Fields{
-          field("thresholds", &P::thresholds, "rad^2",
-                "threshold of the sum of a leg's squared differences, for each gait and speed",
-                {0, 1000}),
-          field("leastShift", &P::leastShift, "frames",
-                "least phase shift of the sensors, in frames of 8 ms", frames),
-          field("mostShift", &P::mostShift, "frames", "greatest phase shift of the sensors",
-                frames),
-          field("suddenSpeed", &P::suddenSpeed, "mm/s",
-                "change of the command within a frame that makes the legs lag by itself",
-                {0, 10000}),
-          field("suddenTurn", &P::suddenTurn, "rad/s",
-                "change of the turning speed that does the same", {0, 100}),
-          field("settleTime", &P::settleTime, "ms", "time without detection after such a change",
-                {0, 10000}),
-          field("inARow", &P::inARow, "frames",
-                "number of frames above the threshold that make a collision", {1, 100})};
+          field<&P::thresholds>(
+              Unit::rad2,
+              "threshold of the sum of a leg's squared differences, for each gait and speed",
+              {0, 1000}),
+          field<&P::leastShift>(Unit::frames, "least phase shift of the sensors, in frames of 8 ms",
+                                frames),
+          field<&P::mostShift>(Unit::frames, "greatest phase shift of the sensors", frames),
+          field<&P::suddenSpeed>(
+              Unit::mmPerS,
+              "change of the command within a frame that makes the legs lag by itself", {0, 10000}),
+          field<&P::suddenTurn>(Unit::radPerS, "change of the turning speed that does the same",
+                                {0, 100}),
+          field<&P::settleTime>(Unit::ms, "time without detection after such a change", {0, 10000}),
+          field<&P::inARow>(Unit::frames,
+                            "number of frames above the threshold that make a collision",
+                            {1, 100})};
     }
   };
   Parameters parameters;

@@ -17,13 +17,15 @@ class DebugMotionControl {
 
     static constexpr auto fields() {
       return Fields{
-          field("tolerance", &Parameters::tolerance, "rad",
-                "a joint that is farther from where it shall be is turned by hand; legs give way "
-                "by up to 0.05 under the robot's weight",
-                {0.01, 1}),
-          field("settling", &Parameters::settling, "s",
-                "time in which joints arrive after a sequence: meanwhile nobody turns them by hand",
-                {0, 5})};
+          field<&Parameters::tolerance>(
+              Unit::rad,
+              "a joint that is farther from where it shall be is turned by hand; legs give way "
+              "by up to 0.05 under the robot's weight",
+              {0.01, 1}),
+          field<&Parameters::settling>(
+              Unit::s,
+              "time in which joints arrive after a sequence: meanwhile nobody turns them by hand",
+              {0, 5})};
     }
   };
   Parameters parameters;

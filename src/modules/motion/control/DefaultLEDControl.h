@@ -11,8 +11,8 @@ class DefaultLEDControl {
     int slowPeriod = 1000, fastPeriod = 250;
 
     static constexpr auto fields() {
-      return Fields{field("slowPeriod", &Parameters::slowPeriod, "ms", "on and off", {16, 10000}),
-                    field("fastPeriod", &Parameters::fastPeriod, "ms", "on and off", {16, 10000})};
+      return Fields{field<&Parameters::slowPeriod>(Unit::ms, "on and off", {16, 10000}),
+                    field<&Parameters::fastPeriod>(Unit::ms, "on and off", {16, 10000})};
     }
   };
   Parameters parameters;

@@ -20,17 +20,16 @@ class DefaultMotionControl {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("headTiltSpeed", &P::headTiltSpeed, "rad/s", "greatest speed of the head's tilt",
-                {0.1, 10}),
-          field("headPanSpeed", &P::headPanSpeed, "rad/s", "greatest speed of the head's pan",
-                {0.1, 10}),
-          field("headRollSpeed", &P::headRollSpeed, "rad/s", "greatest speed of the head's roll",
-                {0.1, 10}),
-          field("actionSpeed", &P::actionSpeed, "rad/s",
-                "greatest speed of the head's joints in special actions, such as kicks by the head",
-                {0.1, 10}),
-          field("changeSpeed", &P::changeSpeed, "rad/s",
-                "greatest speed of a leg until a new motion's angles are reached", {0.1, 10})};
+          field<&P::headTiltSpeed>(Unit::radPerS, "greatest speed of the head's tilt", {0.1, 10}),
+          field<&P::headPanSpeed>(Unit::radPerS, "greatest speed of the head's pan", {0.1, 10}),
+          field<&P::headRollSpeed>(Unit::radPerS, "greatest speed of the head's roll", {0.1, 10}),
+          field<&P::actionSpeed>(
+              Unit::radPerS,
+              "greatest speed of the head's joints in special actions, such as kicks by the head",
+              {0.1, 10}),
+          field<&P::changeSpeed>(Unit::radPerS,
+                                 "greatest speed of a leg until a new motion's angles are reached",
+                                 {0.1, 10})};
     }
   };
   Parameters parameters;

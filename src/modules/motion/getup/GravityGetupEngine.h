@@ -27,9 +27,8 @@ class GravityGetupEngine {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("upright", &P::upright, "rad", "a body that leans by less stands", {0.05, 1.5}),
-          field("average", &P::average, "s", "over which the acceleration is averaged",
-                {0.008, 1})};
+          field<&P::upright>(Unit::rad, "a body that leans by less stands", {0.05, 1.5}),
+          field<&P::average>(Unit::s, "over which the acceleration is averaged", {0.008, 1})};
     }
   };
   Parameters parameters;

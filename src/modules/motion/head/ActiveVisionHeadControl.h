@@ -33,24 +33,21 @@ class ActiveVisionHeadControl : private GT2003HeadControl {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("modes", &P::modes),
-          field("pose", &P::pose),
-          field("landmarkWeight", &P::landmarkWeight, "", "worth of information on the pose",
-                {0, 100}),
-          field("opponentWeight", &P::opponentWeight, "", "worth of information on opponents",
-                {0, 100}),
-          field("ballWeight", &P::ballWeight, "", "worth of information on the ball", {0, 100}),
-          field("glanceSpeed", &P::glanceSpeed, "rad/s", "speed of the head off the ball and back",
-                {0.5, 3}),
-          field("opponentSpeed", &P::opponentSpeed, "mm/s",
-                "by which an opponent may be elsewhere meanwhile", {1, 1000}),
-          field("ballSpeed", &P::ballSpeed, "mm/s", "by which the ball may be elsewhere meanwhile",
-                {1, 3000}),
-          field("unseenAfter", &P::unseenAfter, "s",
-                "time after which anyone may be where the robot does not look", {0.5, 60}),
-          field("leastValidity", &P::leastValidity, "",
-                "of the pose: below it the robot scans both sides in turn, as GT2003 does",
-                {0, 1})};
+          field<&P::modes>(),
+          field<&P::pose>(),
+          field<&P::landmarkWeight>("worth of information on the pose", {0, 100}),
+          field<&P::opponentWeight>("worth of information on opponents", {0, 100}),
+          field<&P::ballWeight>("worth of information on the ball", {0, 100}),
+          field<&P::glanceSpeed>(Unit::radPerS, "speed of the head off the ball and back",
+                                 {0.5, 3}),
+          field<&P::opponentSpeed>(Unit::mmPerS, "by which an opponent may be elsewhere meanwhile",
+                                   {1, 1000}),
+          field<&P::ballSpeed>(Unit::mmPerS, "by which the ball may be elsewhere meanwhile",
+                               {1, 3000}),
+          field<&P::unseenAfter>(
+              Unit::s, "time after which anyone may be where the robot does not look", {0.5, 60}),
+          field<&P::leastValidity>(
+              "of the pose: below it the robot scans both sides in turn, as GT2003 does", {0, 1})};
     }
   };
   Parameters parameters;

@@ -37,34 +37,39 @@ class GT2003HeadControl {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("ballSeenBeforeScan", &P::ballSeenBeforeScan, "ms",
-                "search-auto: time for which the ball is seen before a scan", {0, 5000}),
-          field("scanTime", &P::scanTime, "ms",
-                "search-auto: time of a scan away from the ball and back", {100, 880}),
-          field("scanWidth", &P::scanWidth, "rad",
-                "search-auto: width of a scan to one side of the ball", {0.1, 2}),
-          field("rollingSpeed", &P::rollingSpeed, "mm/s",
-                "search-auto: a ball that rolls faster is watched without scans", {0, 5000}),
-          field("rollingNear", &P::rollingNear, "mm", "search-auto: if it is nearer", {0, 10000}),
-          field("ballLostAfter", &P::ballLostAfter, "ms",
-                "time after which a ball that is not where it is looked for is lost", {100, 5000}),
-          field("ballSearchTime", &P::ballSearchTime, "ms",
-                "time of one round of searching the ball", {1000, 10000}),
-          field("searchNear", &P::searchNear, "mm",
-                "a ball that was last nearer is searched near first, then in every other round",
-                {0, 10000}),
-          field("nearSearchTime", &P::nearSearchTime, "ms", "time of such a round", {1000, 10000}),
-          field("landmarkSearchTime", &P::landmarkSearchTime, "ms",
-                "time of one round of looking for landmarks", {1000, 10000}),
-          field("horizonTilt", &P::horizonTilt, "rad",
-                "tilt of the camera over ground when landmarks are looked for", {-0.5, 0.5}),
-          field("aheadTilt", &P::aheadTilt, "rad",
-                "tilt of the camera when looking straight ahead: balls from 300 mm on are seen",
-                {-1, 0.5}),
-          field("scanSpeed", &P::scanSpeed, "rad/s", "scan-left-right: speed of the pan joint",
-                {0.1, 3}),
-          field("forcedTolerance", &P::forcedTolerance, "rad",
-                "stay-as-forced: by how much a joint must be turned to stay there", {0, 0.5})};
+          field<&P::ballSeenBeforeScan>(
+              Unit::ms, "search-auto: time for which the ball is seen before a scan", {0, 5000}),
+          field<&P::scanTime>(Unit::ms, "search-auto: time of a scan away from the ball and back",
+                              {100, 880}),
+          field<&P::scanWidth>(Unit::rad, "search-auto: width of a scan to one side of the ball",
+                               {0.1, 2}),
+          field<&P::rollingSpeed>(Unit::mmPerS,
+                                  "search-auto: a ball that rolls faster is watched without scans",
+                                  {0, 5000}),
+          field<&P::rollingNear>(Unit::mm, "search-auto: if it is nearer", {0, 10000}),
+          field<&P::ballLostAfter>(
+              Unit::ms, "time after which a ball that is not where it is looked for is lost",
+              {100, 5000}),
+          field<&P::ballSearchTime>(Unit::ms, "time of one round of searching the ball",
+                                    {1000, 10000}),
+          field<&P::searchNear>(
+              Unit::mm,
+              "a ball that was last nearer is searched near first, then in every other round",
+              {0, 10000}),
+          field<&P::nearSearchTime>(Unit::ms, "time of such a round", {1000, 10000}),
+          field<&P::landmarkSearchTime>(Unit::ms, "time of one round of looking for landmarks",
+                                        {1000, 10000}),
+          field<&P::horizonTilt>(Unit::rad,
+                                 "tilt of the camera over ground when landmarks are looked for",
+                                 {-0.5, 0.5}),
+          field<&P::aheadTilt>(
+              Unit::rad,
+              "tilt of the camera when looking straight ahead: balls from 300 mm on are seen",
+              {-1, 0.5}),
+          field<&P::scanSpeed>(Unit::radPerS, "scan-left-right: speed of the pan joint", {0.1, 3}),
+          field<&P::forcedTolerance>(
+              Unit::rad, "stay-as-forced: by how much a joint must be turned to stay there",
+              {0, 0.5})};
     }
   };
   Parameters parameters;

@@ -22,18 +22,22 @@ class PoseUncertainty {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field("walking", &P::walking, "mm",
-                "standard deviation by which the position gets worse in a second", {1, 1000}),
-          field("turning", &P::turning, "rad",
-                "standard deviation by which the rotation gets worse in a second", {0.01, 3}),
-          field("bearing", &P::bearing, "rad",
-                "standard deviation of the direction of a landmark that is seen", {0.001, 1}),
-          field("distance", &P::distance, "",
-                "standard deviation of the distance of a landmark, as a share of it", {0.01, 1}),
-          field("neededPosition", &P::neededPosition, "mm",
-                "precision of the position beyond which more is hardly of use", {1, 1000}),
-          field("neededRotation", &P::neededRotation, "rad",
-                "precision of the rotation beyond which more is hardly of use", {0.001, 1})};
+          field<&P::walking>(Unit::mm,
+                             "standard deviation by which the position gets worse in a second",
+                             {1, 1000}),
+          field<&P::turning>(Unit::rad,
+                             "standard deviation by which the rotation gets worse in a second",
+                             {0.01, 3}),
+          field<&P::bearing>(Unit::rad,
+                             "standard deviation of the direction of a landmark that is seen",
+                             {0.001, 1}),
+          field<&P::distance>("standard deviation of the distance of a landmark, as a share of it",
+                              {0.01, 1}),
+          field<&P::neededPosition>(
+              Unit::mm, "precision of the position beyond which more is hardly of use", {1, 1000}),
+          field<&P::neededRotation>(Unit::rad,
+                                    "precision of the rotation beyond which more is hardly of use",
+                                    {0.001, 1})};
     }
   };
 

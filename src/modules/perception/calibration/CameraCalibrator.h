@@ -23,21 +23,22 @@ struct CameraCalibration {
 
   static constexpr auto fields() {
     return Fields{
-        field("pictures", &CameraCalibration::pictures, "", "that it was made from"),
-        field("focalX", &CameraCalibration::focalX, "pixel"),
-        field("focalY", &CameraCalibration::focalY, "pixel"),
-        field("openingAngleX", &CameraCalibration::openingAngleX, "rad"),
-        field("openingAngleY", &CameraCalibration::openingAngleY, "rad"),
-        field("body", &CameraCalibration::body, "", "what belongs into robot.cfg"),
-        field("boardPosition", &CameraCalibration::boardPosition, "mm",
-              "its middle on the ground, relative to the robot"),
-        field("boardRotation", &CameraCalibration::boardRotation, "rad",
-              "0 if it stands across the robot's x axis"),
-        field("error", &CameraCalibration::error, "pixel",
-              "root mean square of how far corners lie from where they should be seen"),
-        field("openingAngleError", &CameraCalibration::openingAngleError, "rad",
-              "standard deviation, by the corners' scatter"),
-        field("offsetError", &CameraCalibration::offsetError, "rad", "likewise of the body's")};
+        field<&CameraCalibration::pictures>("that it was made from"),
+        field<&CameraCalibration::focalX>(Unit::pixel),
+        field<&CameraCalibration::focalY>(Unit::pixel),
+        field<&CameraCalibration::openingAngleX>(Unit::rad),
+        field<&CameraCalibration::openingAngleY>(Unit::rad),
+        field<&CameraCalibration::body>("what belongs into robot.cfg"),
+        field<&CameraCalibration::boardPosition>(
+            Unit::mm, "the board's middle on the ground, relative to the robot"),
+        field<&CameraCalibration::boardRotation>(Unit::rad,
+                                                 "0 if it stands across the robot's x axis"),
+        field<&CameraCalibration::error>(
+            Unit::pixel, "root mean square of how far corners lie from where they should be seen"),
+        field<&CameraCalibration::openingAngleError>(Unit::rad,
+                                                     "standard deviation, by the corners' scatter"),
+        field<&CameraCalibration::offsetError>(
+            Unit::rad, "standard deviation of the body's tilt and roll, by the corners' scatter")};
   }
 };
 

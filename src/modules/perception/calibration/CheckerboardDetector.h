@@ -17,9 +17,9 @@ class CheckerboardDetector {
     int pictures = 40;
 
     static constexpr auto fields() {
-      return Fields{field("board", &Parameters::board),
-                    field("pictures", &Parameters::pictures, "",
-                          "after which it calibrates and begins anew", {3, 1000})};
+      return Fields{
+          field<&Parameters::board>(),
+          field<&Parameters::pictures>("after which it calibrates and begins anew", {3, 1000})};
     }
   };
   Parameters parameters;

@@ -15,14 +15,14 @@ struct Checkerboard {
   double height = 75;
 
   static constexpr auto fields() {
-    return Fields{field("columns", &Checkerboard::columns, "",
-                        "corners beside each other that are inside of "
-                        "it",
-                        {2, 30}),
-                  field("rows", &Checkerboard::rows, "", "likewise above each other", {2, 30}),
-                  field("square", &Checkerboard::square, "mm", "a square's edge", {1, 1000}),
-                  field("height", &Checkerboard::height, "mm",
-                        "of the lowest corners above the ground", {0, 2000})};
+    return Fields{
+        field<&Checkerboard::columns>("corners beside each other that are inside of "
+                                      "it",
+                                      {2, 30}),
+        field<&Checkerboard::rows>("corners above each other that are inside of it", {2, 30}),
+        field<&Checkerboard::square>(Unit::mm, "a square's edge", {1, 1000}),
+        field<&Checkerboard::height>(Unit::mm, "of the lowest corners above the ground",
+                                     {0, 2000})};
   }
 };
 

@@ -30,22 +30,23 @@ class DefaultSensorDataProcessor {
 
     static constexpr auto fields() {
       return Fields{
-          field("shortAverage", &Parameters::shortAverage, "ticks",
-                "over which acceleration is averaged", {1, SensorDataBuffer::capacity}),
-          field("longAverage", &Parameters::longAverage, "ms",
-                "time constant of the long average of acceleration", {100, 10000}),
-          field("fallenAngle", &Parameters::fallenAngle, "rad", "a body that leans more has fallen",
-                {0, pi}),
-          field("liftedChange", &Parameters::liftedChange, "mm/s^2",
-                "short and long average differ by more where the robot is lifted", {0, 20000}),
-          field("offGround", &Parameters::offGround, "ms",
-                "all paws are longer off the ground where the robot is lifted", {0, 10000}),
-          field("delayMemory", &Parameters::delayMemory, "ms",
-                "time constant with which it is learned how much older images are than their time "
-                "stamps",
-                {1000, 1e7}),
-          field("posture", &Parameters::posture, "", "how bodies lean on legs that give"),
-          field("lean", &Parameters::lean, "", "how it is learned in play how this robot leans")};
+          field<&Parameters::shortAverage>(Unit::ticks, "over which acceleration is averaged",
+                                           {1, SensorDataBuffer::capacity}),
+          field<&Parameters::longAverage>(
+              Unit::ms, "time constant of the long average of acceleration", {100, 10000}),
+          field<&Parameters::fallenAngle>(Unit::rad, "a body that leans more has fallen", {0, pi}),
+          field<&Parameters::liftedChange>(
+              Unit::mmPerS2, "short and long average differ by more where the robot is lifted",
+              {0, 20000}),
+          field<&Parameters::offGround>(
+              Unit::ms, "all paws are longer off the ground where the robot is lifted", {0, 10000}),
+          field<&Parameters::delayMemory>(
+              Unit::ms,
+              "time constant with which it is learned how much older images are than their time "
+              "stamps",
+              {1000, 1e7}),
+          field<&Parameters::posture>("how bodies lean on legs that give"),
+          field<&Parameters::lean>("how it is learned in play how this robot leans")};
     }
   };
   Parameters parameters;

@@ -26,8 +26,8 @@ class GT2003ImageProcessor {
     double denseSpacing = 2;
 
     static constexpr auto fields() {
-      return Fields{field("denseSpacing", &Parameters::denseSpacing, "pixel",
-                          "distance of scan lines next to the horizon", {1, 16})};
+      return Fields{field<&Parameters::denseSpacing>(
+          Unit::pixel, "distance of scan lines next to the horizon", {1, 16})};
     }
   };
   Parameters parameters;

@@ -29,23 +29,26 @@ class LeanFilter {
 
     static constexpr auto fields() {
       return Fields{
-          field("learns", &Parameters::learns, "", "while the robot plays"),
-          field("lean", &Parameters::lean, "rad",
-                "standard deviation, from robot to robot, of tilt and roll of the body beside what "
-                "its legs measure",
-                {0, 1}),
-          field("headRoll", &Parameters::headRoll, "rad", "of the head's roll", {0, 1}),
-          field("height", &Parameters::height, "mm", "of the body's height", {0, 100}),
-          field("giving", &Parameters::giving, "",
-                "of how much the legs give, as a share of the model", {0, 10}),
-          field("drift", &Parameters::drift, "rad", "of what these angles change by in a second",
-                {0, 1}),
-          field("swayWalking", &Parameters::swayWalking, "rad",
-                "standard deviation of a walking body's tilt and roll, until more is known",
-                {0, 1}),
-          field("swayStanding", &Parameters::swayStanding, "rad", "of a standing one's", {0, 1}),
-          field("swayHeight", &Parameters::swayHeight, "mm", "of its height", {0, 100}),
-          field("swayTime", &Parameters::swayTime, "ms", "for which swaying lasts", {1, 10000})};
+          field<&Parameters::learns>("while the robot plays"),
+          field<&Parameters::lean>(
+              Unit::rad,
+              "standard deviation, from robot to robot, of tilt and roll of the body beside what "
+              "its legs measure",
+              {0, 1}),
+          field<&Parameters::headRoll>(Unit::rad, "of the head's roll", {0, 1}),
+          field<&Parameters::height>(Unit::mm, "of the body's height", {0, 100}),
+          field<&Parameters::giving>("of how much the legs give, as a share of the model", {0, 10}),
+          field<&Parameters::drift>(Unit::rad, "of what these angles change by in a second",
+                                    {0, 1}),
+          field<&Parameters::swayWalking>(
+              Unit::rad,
+              "standard deviation of a walking body's tilt and roll, until more is known", {0, 1}),
+          field<&Parameters::swayStanding>(
+              Unit::rad,
+              "standard deviation of a standing body's tilt and roll, until more is known", {0, 1}),
+          field<&Parameters::swayHeight>(Unit::mm, "standard deviation of a walking body's height",
+                                         {0, 100}),
+          field<&Parameters::swayTime>(Unit::ms, "time for which swaying lasts", {1, 10000})};
     }
   };
   Parameters parameters;

@@ -26,11 +26,11 @@ class PostureModel {
     Weights tilt{}, roll{}, height{};
 
     static constexpr auto fields() {
-      return Fields{field("tilt", &Parameters::tilt, "rad",
-                          "for each feature: a constant, then heights of feet in cm and "
-                          "acceleration in g, the latest first"),
-                    field("roll", &Parameters::roll, "rad"),
-                    field("height", &Parameters::height, "mm")};
+      return Fields{
+          field<&Parameters::tilt>(Unit::rad,
+                                   "for each feature: a constant, then heights of feet in cm and "
+                                   "acceleration in g, the latest first"),
+          field<&Parameters::roll>(Unit::rad), field<&Parameters::height>(Unit::mm)};
     }
   };
   Parameters parameters;
