@@ -12,6 +12,7 @@
 #include "robot/Configuration.h"
 #include "simulation/scene/ProfileTable.h"
 #include "streams/Json.h"
+#include "streams/Type.h"
 
 namespace gt {
 namespace {
@@ -26,6 +27,8 @@ bool isNamed(const SceneRobot& robot, const std::string& name) {
 }  // namespace
 
 Result<std::unique_ptr<Match>> Match::make(const MatchOptions& options) {
+  const MatchSetup& setup = options;
+  if (auto done = checked(valueOf(setup)); !done) return done.error();
   auto scene = loadScene(options.scene);
   if (!scene) return scene.error();
   if (auto found = findSceneFiles(*scene); !found) return found.error();

@@ -8,7 +8,7 @@
 
 namespace gt {
 
-/// Which match is played: all that it follows from beside its files and what is done to it
+/// Which match is played: all that it follows from, besides its files and what is done to it
 /// meanwhile. The same setup gives the same match, however it is run.
 struct MatchSetup {
   std::string scene{}, layout{}, profile{}, fidelity{}, behavior{}, motions{};
@@ -22,7 +22,7 @@ struct MatchSetup {
   double minutes = 0;
   std::uint64_t seed = 1;
 
-  /// The match scene, with the project's files.
+  /// The scene `match` with the files of a root: behavior and motions.
   static MatchSetup in(const DataRoot& root) {
     return {.scene = root.path("scenes/match.scene"),
             .behavior = root.path("behavior/GT2003.xabsl"),
@@ -44,7 +44,7 @@ struct MatchSetup {
         field<&MatchSetup::randomChallenge>(
             "a challenge's start is random, whatever the scene says"),
         field<&MatchSetup::minutes>(Unit::min, "both halves together; 0: the scene's", {0, 1e4}),
-        field<&MatchSetup::seed>()};
+        field<&MatchSetup::seed>("the same one gives the same match")};
   }
 };
 static_assert(complete<MatchSetup>);

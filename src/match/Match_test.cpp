@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "match/TestMatch.h"
@@ -214,6 +215,12 @@ TEST_F(MatchTest, TheSceneSaysHowLongAGameLasts) {
   while (!(*match)->finished() && (*match)->time() < Time{2000}) (*match)->step();
   EXPECT_EQ((*match)->time(), Time{600});
   EXPECT_EQ((*match)->simulation().referee().parameters().minutes, 0.01);
+  for (const double minutes : {-1., std::numeric_limits<double>::quiet_NaN()}) {
+    options.minutes = minutes;
+    const auto none = Match::make(options);
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().field, "minutes");
+  }
   options.minutes = 0.02;
   const auto longer = Match::make(options);
   ASSERT_TRUE(longer);
