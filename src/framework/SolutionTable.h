@@ -63,8 +63,7 @@ struct Solution {
   std::string name;
   std::vector<Port> ports;
   std::function<std::unique_ptr<AnyModule>(ModuleContext)> make;
-  bool added = false;  ///< Whether it was added at run time, by `SolutionTable::add(task,
-                       ///< solution)`.
+  bool added = false;  ///< Whether `SolutionTable::add` added it at run time.
 };
 
 /// A task of the robot's information processing, which modules solve (report 2.2.1).
