@@ -6,10 +6,10 @@
 
 namespace gt {
 
-/// How often each value of one channel was seen, and which thresholds follow from it.
+/// A histogram of the values of one channel, from which thresholds are derived.
 class ChannelHistogram {
  public:
-  /// A channel of the values 0 to size - 1, which may lie on a circle.
+  /// A channel with the values 0 to size - 1, which may be circular.
   explicit ChannelHistogram(int size, bool circular = false)
       : counts_(static_cast<std::size_t>(size)), circular_(circular) {}
 
