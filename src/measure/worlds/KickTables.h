@@ -12,9 +12,9 @@
 
 namespace gt {
 
-/// Measures in the dynamic fidelity, under `padova`, what one of a folder's motions does with balls
-/// around it: by twelve robots, each put together in another way. The same in, the same out, with
-/// any number of threads.
+/// Measures in the dynamic fidelity, with the profile `padova`, the effect of one of a folder's
+/// motions on balls around the robot, with twelve robots that are built differently. The same input
+/// yields the same output, with any number of threads.
 Result<DescribedKick> measureKick(const std::string& motion, const MotionNet& net,
                                   const std::string& motions, const DataRoot& root,
                                   unsigned threads);
@@ -25,10 +25,10 @@ Result<DescribedKick> measureKick(const std::string& motion, const MotionNet& ne
 Result<KickTable> kicksOfMotions(const MotionNet& net, const ConfigurationPaths& paths,
                                  const DataRoot& root, unsigned threads);
 
-/// The kicks of a folder of motion descriptions, by name: those in its folder `kicks`.
+/// The names of the kicks in a folder of motion descriptions: those in its subfolder `kicks`.
 std::vector<std::string> kicksIn(const std::string& motions);
 
-/// A table as its file, config/kicks.cfg.
+/// Formats a table as its file, config/kicks.cfg.
 std::string kickTableText(const KickTable& table);
 
 }  // namespace gt
