@@ -20,8 +20,9 @@ class ChannelHistogram {
   const std::vector<std::uint64_t>& counts() const { return counts_; }
   std::uint64_t total() const { return total_; }
 
-  /// The narrowest range that holds at least a share of what was seen (above 0, up to 1); of
-  /// equally narrow ones that which holds most. If nothing was seen, nothing lies in it.
+  /// The narrowest range that contains at least a share (above 0, up to 1) of the counted values;
+  /// of equally narrow ranges the one that contains most. If nothing was counted, the range is
+  /// empty.
   ColorRange narrowest(double share) const;
 
  private:

@@ -24,8 +24,9 @@ class ColorStatistics {
   }
   void add(const Image& image, std::span<const ColorClass> classes) { add({image, classes, {}}); }
 
-  /// The class that most pixels of each color have, if 70 % do and at least `leastPixels`. Colors
-  /// never seen take the class of their neighbors if these agree, in `growth` steps.
+  /// A color table: each color gets the class of most of its pixels, if these are at least 70 % and
+  /// at least `leastPixels`. Colors that were never counted get the class of their neighbors if
+  /// these agree, repeated in `growth` steps.
   ColorTable64 table(int growth, std::uint32_t leastPixels = 2) const;
 
   /// The narrowest ranges that contain a share of each class's pixels in each channel. In TSL,

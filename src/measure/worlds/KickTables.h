@@ -19,9 +19,10 @@ Result<DescribedKick> measureKick(const std::string& motion, const MotionNet& ne
                                   const std::string& motions, const DataRoot& root,
                                   unsigned threads);
 
-/// What the kicks of a folder's motions do, for the kinematic fidelity: the row of a table that was
-/// measured with this motion, of the configuration or the project; without one it is measured, and
-/// kept in the user's cache. Kicks are what the folder `kicks` of the motions has, or a table.
+/// The effects of the kicks among a folder's motions, for the kinematic fidelity. Each is taken
+/// from a row of the configuration's or the project's table that was measured with the same motion.
+/// If there is none, the kick is measured, and stored in the user's cache. Kicks are the motions in
+/// the subfolder `kicks`, or in a table.
 Result<KickTable> kicksOfMotions(const MotionNet& net, const ConfigurationPaths& paths,
                                  const DataRoot& root, unsigned threads);
 
