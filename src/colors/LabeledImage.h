@@ -38,8 +38,8 @@ struct LabeledImage {
   std::span<const ColorClass> classes;  ///< Of all pixels, or empty.
   std::span<const LabeledRegion> regions;
 
-  /// Calls visit(pixel, class) for all pixels whose class is certain. Pixels whose four neighbors
-  /// do not have the same class are excluded, because blur mixes their colors.
+  /// Calls visit(pixel, class) for all pixels whose class is certain. Pixels are excluded if
+  /// one of their four neighbors has another class, because blur mixes the colors.
   template <typename Visit>
   void forEachPixel(Visit visit) const {
     for (const LabeledRegion& label : regions)

@@ -25,8 +25,8 @@ struct FoxgloveSubscription;
 struct FoxgloveAccess {
   /// PORT on the loopback device, or ADDRESS:PORT; port 0 is any free one. Empty: none.
   std::string endpoint{};
-  /// From which pages may connect that are not from this machine: SCHEME://HOST[:PORT], or file://
-  /// for programs that load their page from the disk.
+  /// Origins of pages that may connect, in addition to those from this machine:
+  /// SCHEME://HOST[:PORT], or file:// for programs that load their page from the disk.
   std::vector<std::string> origins{};
 };
 
@@ -175,7 +175,7 @@ class FoxgloveServer {
   void notifyParameters(Robot& robot);
   void followParameters();
 
-  /// Reports the first of several faults, and how many there are.
+  /// Reports the first of several errors, and their number.
   void reportFaults(ClientId client, Severity severity, const std::vector<Error>& faults);
   void sendJson(ClientId client, const Json& json);
   void status(ClientId client, Severity severity, const std::string& text);

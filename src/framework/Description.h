@@ -92,8 +92,8 @@ struct ProcessDescription {
 };
 
 /// The execution times of the modules of a process since it started, by the machine's own clock
-/// (report E.7). The difference of two messages is the time between them. Sent to tools that request
-/// it; see WatchRequest.
+/// (report E.7). The difference of two messages is the time between them. Sent to tools on request;
+/// see WatchRequest.
 struct ModuleTimes {
   std::string process;
   std::vector<Stopwatch> modules;
