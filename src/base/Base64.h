@@ -7,7 +7,7 @@
 
 namespace gt {
 
-/// Bytes as text of 64 letters (RFC 4648), for formats that hold text only.
+/// Encodes bytes as Base64 (RFC 4648), for formats that hold text only.
 inline std::string base64(std::span<const std::byte> bytes) {
   constexpr std::string_view digits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

@@ -7,25 +7,25 @@
 
 namespace gt {
 
-/// Another program that this one starts, and that ends with it, however this one ends.
+/// A child process that is killed when this program ends, however this program ends.
 class ChildProgram {
  public:
-  /// Starts a program: its file, then its arguments.
+  /// Starts a program: the path of its file, then its arguments.
   explicit ChildProgram(std::vector<std::string> command);
   ~ChildProgram() { kill(); }
   ChildProgram(const ChildProgram&) = delete;
   ChildProgram& operator=(const ChildProgram&) = delete;
 
-  /// Starts it again after its end.
+  /// Starts the program again after it has ended.
   void start();
   bool runs();
-  /// Sends it a signal by which it ends, and waits until it has.
+  /// Sends the program a signal that ends it, and waits until it has ended.
   void kill(int signal = SIGKILL);
-  /// Its process id; negative once it has ended.
+  /// Process id; negative once the program has ended.
   pid_t id() const { return pid_; }
-  /// How it ended, as waitpid() returns it.
+  /// Exit status as waitpid() returns it.
   int status() const { return status_; }
-  /// What it has of the memory, in MB.
+  /// Resident memory of the program, in MB.
   double memory() const;
 
  private:

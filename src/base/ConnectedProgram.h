@@ -9,23 +9,24 @@
 
 namespace gt {
 
-/// Another program, which this one starts and talks with over a socket that is its standard input.
-/// It shall end when the socket is closed. It is in a process group of its own, so a Ctrl-C in the
-/// terminal is not for it.
+/// Another program that this one starts. Both communicate over a socket, which is the other
+/// program's standard input. The program must end when the socket is closed. It runs in a process
+/// group of its own, so a Ctrl-C in the terminal does not reach it.
 class ConnectedProgram {
  public:
-  /// Starts a program: its path, then its arguments. An error if it cannot be started.
+  /// Starts a program: its path, then its arguments. Returns an error if it cannot be started.
   static Result<ConnectedProgram> start(const std::vector<std::string>& command);
   ConnectedProgram(ConnectedProgram&& other) noexcept;
   ConnectedProgram& operator=(ConnectedProgram&&) = delete;
-  /// Kills it, if it has not ended by itself shortly after its socket was closed.
+  /// Closes the socket and kills the program if it has not ended by itself after two seconds.
   ~ConnectedProgram();
 
-  /// This program's end of the socket, which can be taken once.
+  /// Returns this program's end of the socket. It can be taken once.
   FileDescriptor takeSocket() { return std::move(socket_); }
-  /// How it has ended, or that it runs still, for messages. Waits for a moment if it runs.
+  /// Describes for messages how the program ended, or that it is still running. If it is running,
+  /// waits up to two seconds for its end.
   std::string ending();
-  /// Its process id; negative once it has ended.
+  /// Process id; negative once the program has ended.
   pid_t id() const { return id_; }
 
  private:

@@ -3,9 +3,9 @@
 
 namespace gt {
 
-/// Ends the program with a sentence if it was written wrongly in a way that the compiler cannot
-/// see: in every build, at the place where the mistake is made. What comes from outside the program
-/// is never checked like this, but makes an Error.
+/// Checks for errors of the programmer that the compiler cannot find: if `condition` is false, ends
+/// the program with the sentence, in every build. Data from outside the program is never checked
+/// like this; if it is wrong, it yields an Error.
 void require(bool condition, std::string_view sentence);
 [[noreturn]] void violate(std::string_view sentence);
 

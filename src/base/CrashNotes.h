@@ -10,9 +10,9 @@
 
 namespace gt {
 
-/// Names what the calling thread does for as long as this object exists: a crash report shows those
-/// that are open, the outermost first, such as a process with the time of its cycle, and the module
-/// that runs. Costs a few instructions. The name must outlive it.
+/// Names what the calling thread does while this object exists, such as a process with the time of
+/// its cycle, or the module that runs. A crash report shows the open contexts, the outermost first.
+/// A context costs a few instructions. The name must outlive the object.
 class CrashContext {
  public:
   explicit CrashContext(const char* name, Time since = never())
@@ -23,8 +23,9 @@ class CrashContext {
   CrashContext(const CrashContext&) = delete;
   CrashContext& operator=(const CrashContext&) = delete;
 
-  /// Calls visit(text) for the parts of the calling thread's contexts as one line, as "Cognition at
-  /// 4800 ms, BallLocator"; of more than sixteen for the innermost ones. Safe in signal handlers.
+  /// Calls visit(text) for the parts of a line that lists the calling thread's contexts, such as
+  /// "Cognition at 4800 ms, BallLocator". Lists at most the sixteen innermost contexts. Safe in
+  /// signal handlers.
   template <typename Visit>
   static void forEachPart(Visit&& visit) {
     std::array<const CrashContext*, 16> open;
@@ -52,19 +53,19 @@ class CrashContext {
   const CrashContext* outer_;
 };
 
-/// Notes a line for a crash report, which shows the last 32 of them, each behind its CrashContext:
-/// what a module was about to do, or what it last saw. From any thread, without
-/// memory or locks; what is longer than 120 bytes is cut.
+/// Adds a note to the crash report, for instance what a module is about to do or what it last saw.
+/// The report shows the last 32 notes, each after its CrashContext. Can be called from any thread;
+/// allocates no memory and takes no locks. Notes are cut after 120 bytes.
 void noteForCrashReport(std::string_view line);
 
-/// The notes of a process, which crash/CrashHandler.h writes.
+/// The crash notes of this program. crash/CrashHandler.h writes them to the report.
 class CrashNotes {
  public:
   static CrashNotes& ofProcess();
 
   void add(std::string_view line);
-  /// Calls visit(letter) for each letter of a note. A note that is written meanwhile is torn at
-  /// worst. Safe in signal handlers.
+  /// Calls visit(letter) for each letter of a note. A note that is being written meanwhile may be a
+  /// mix of the old and the new text. Safe in signal handlers.
   template <typename Visit>
   void forEachLetter(std::uint64_t note, Visit&& visit) const {
     for (const std::atomic<char>& c : notes_[note % count]) {
@@ -73,7 +74,7 @@ class CrashNotes {
       visit(letter);
     }
   }
-  /// The notes that are kept are those from `begin` to before `end`.
+  /// The notes that are kept have the numbers from `begin` up to, but not including, `end`.
   std::uint64_t begin() const { return end() > count ? end() - count : 0; }
   std::uint64_t end() const { return added_.load(); }
 

@@ -5,12 +5,12 @@
 
 namespace gt {
 
-/// The folder that holds the data which programs read: behavior, config, layouts, models, motions
-/// and scenes. Files that a user names are relative to the working directory; defaults and names
-/// without a path are files of the root.
+/// The folder of the data that programs read: behavior, config, layouts, models, motions and
+/// scenes. Paths that a user enters are relative to the working directory. Default files and names
+/// without a path are searched in the root.
 class DataRoot {
  public:
-  /// Where a root is looked for, in this order; places that are empty are passed over.
+  /// Places where the root is searched, in this order; empty ones are skipped.
   struct Places {
     std::string option;    ///< Value of the option --root.
     std::string variable;  ///< Value of the environment variable GT2003_ROOT.
@@ -24,13 +24,13 @@ class DataRoot {
 
   /// The places of the running program. `option` is empty if the option is not given.
   static Places places(const std::string& option);
-  /// The first root of: the option, the variable, ../share/gt2003 from the program (an installed
-  /// tree), the folders above the program (a build tree in its sources), the sources. An option or
-  /// variable that does not name a root is an error.
+  /// Returns the first root among: the option, the variable, ../share/gt2003 relative to the
+  /// program (an installed tree), the folders above the program (a build tree in its sources), the
+  /// sources. Returns an error if the option or the variable names a folder that is not a root.
   static Result<DataRoot> find(const Places& places);
 
-  /// The path of a file or folder of the root, such as "scenes/match.scene": relative if the root
-  /// lies in the working directory, otherwise absolute.
+  /// The path of a file or folder of the root, such as "scenes/match.scene". The path is relative
+  /// if the root lies in the working directory, otherwise absolute.
   std::string path(const std::string& name) const;
 
  private:

@@ -65,7 +65,7 @@ void EndSignals::handle(int signal) {
 }
 
 void EndSignals::take(int signal) {
-  // Of other pipes who writes to them learns it.
+  // SIGPIPE of other pipes is ignored: their writers get an error.
   if ((signal == SIGHUP || signal == SIGPIPE) && !leaveClosed(signal) && signal == SIGPIPE) return;
   int none = 0;
   if (!received_.compare_exchange_strong(none, signal)) {
@@ -80,8 +80,9 @@ void EndSignals::take(int signal) {
   if (wake_) wake_();
 }
 
-/// What is printed would be an error, for which the program would end before it has written all.
-/// Returns whether a standard file is a closed terminal, or a pipe that nobody reads.
+/// Redirects standard files that are a closed terminal (SIGHUP) or a pipe that nobody reads to
+/// /dev/null. Otherwise printing would fail, and the program would end before it has written
+/// everything. Returns whether there was such a file.
 bool EndSignals::leaveClosed(int signal) const {
   bool left = false;
   const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);

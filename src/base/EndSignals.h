@@ -9,30 +9,32 @@
 
 namespace gt {
 
-/// Lets a program end in order when it is asked to: by Ctrl-C (SIGINT), by SIGTERM, because its
-/// terminal was closed (SIGHUP), or because who reads what it prints has gone (SIGPIPE). While an
-/// object exists, the first of these signals is kept, and the program ends by itself; a second one
-/// ends it at once. A signal that the program was started to ignore (nohup) is ignored. One object
-/// at a time.
+/// Lets a program end in order after Ctrl-C (SIGINT), SIGTERM, the closing of its terminal
+/// (SIGHUP), or the end of the program that reads its output (SIGPIPE). While an object exists, the
+/// first of these signals is stored, and the program must end by itself; a second signal ends it at
+/// once. A signal that was ignored when the program started (nohup) stays ignored. Only one object
+/// may exist at a time.
 class EndSignals {
  public:
-  /// `wake` is called by the signal's handler, so it may do only what is safe there. Signals that
-  /// come within `togetherMs` are one: shells and `timeout` send theirs twice.
+  /// `wake` is called by the signal handler, so it may only do what is safe there. Signals that
+  /// arrive within `togetherMs` (ms) of the first count as one: shells and `timeout` send theirs
+  /// twice.
   explicit EndSignals(std::function<void()> wake = {}, std::int64_t togetherMs = 300);
   ~EndSignals();
   EndSignals(const EndSignals&) = delete;
   EndSignals& operator=(const EndSignals&) = delete;
 
-  /// The first signal that came; 0 if none has.
+  /// The first signal that was received; 0 if none was.
   int received() const { return received_; }
-  /// What the program ends with after a signal: 128 more than it.
+  /// Exit status of the program after a signal: 128 + the signal's number.
   int status() const { return 128 + received_; }
-  /// Forgets the signal, which did not mean the program: the next one is the first again.
+  /// Discards the stored signal because it was not meant for this program. The next signal counts
+  /// as the first again.
   void forget();
 
-  /// Waits until a file or socket can be read; returns false if a signal came before.
+  /// Blocks until a file or socket can be read; returns false if a signal was received before.
   bool waitFor(int file) const;
-  /// Can be read once a signal has come.
+  /// A file descriptor that becomes readable once a signal has been received.
   int event() const { return event_.number(); }
 
  private:
@@ -49,7 +51,7 @@ class EndSignals {
   std::atomic<int> received_ = 0;
   std::atomic<std::int64_t> receivedMs_ = 0;
   std::array<struct sigaction, numbers.size()> before_{};
-  std::array<bool, 3> terminal_{};  ///< Which of the standard files are one.
+  std::array<bool, 3> terminal_{};  ///< Whether each of the standard files is a terminal.
 };
 
 }  // namespace gt

@@ -18,7 +18,7 @@ constexpr std::string_view spelledValues() {
   return __PRETTY_FUNCTION__;
 }
 
-/// Where one value of such a list ends, which begins at a place in it.
+/// Position at which the value ends that begins at `at` in such a list.
 constexpr std::size_t spelledEnd(std::string_view list, std::size_t at) {
   for (int depth = 0; at < list.size(); ++at) {
     const char c = list[at];
@@ -28,10 +28,10 @@ constexpr std::size_t spelledEnd(std::string_view list, std::size_t at) {
   return at;
 }
 
-/// What is found among the values 0 to 256, and -1, of an enumeration.
+/// The enumerators among the values 0 to 256, and -1, of an enumeration.
 struct Enumerators {
   std::size_t count = 0;
-  bool countable = true;  ///< They are 0, 1, 2, ...
+  bool countable = true;  ///< Whether the values are 0, 1, 2, ... without gaps.
 };
 
 template <std::size_t most>
@@ -87,8 +87,8 @@ constexpr auto enumeratorNames(std::index_sequence<i...>) {
 
 }  // namespace detail
 
-/// How many enumerators an enumeration has. They count from 0 without gaps; it does not compile
-/// otherwise.
+/// Number of enumerators of an enumeration. Their values must count from 0 without gaps; otherwise
+/// it does not compile.
 template <typename E>
 constexpr std::size_t enumCount = detail::EnumFacts<E>::all.count;
 
@@ -104,8 +104,8 @@ constexpr std::string_view enumName(E value) {
   return i < enumCount<E> ? enumNames<E>[i] : "?";
 }
 
-/// The value with a name, if there is one. Words may also be written as in the report:
-/// search-for-ball is searchForBall.
+/// Returns the value with this name; empty if there is none. Names may also be written as in the
+/// report: search-for-ball is searchForBall.
 template <typename E>
 std::optional<E> enumValue(std::string_view name) {
   std::string camel;

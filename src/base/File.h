@@ -11,14 +11,15 @@ namespace gt {
 /// The whole content of a regular file of at most 1 GiB.
 Result<std::string> readFile(const std::string& path);
 
-/// The name under which a file is written before it is whole: PATH.part, of a link that of the file
-/// it leads to. A device or a pipe is written under its own.
+/// The temporary name under which a file is written until it is complete: PATH.part. For a symbolic
+/// link, the name is based on the link's target. A device or a pipe is written under its own name.
 std::string unfinishedName(const std::string& path);
-/// Gives a file that was written under that name its own one.
+/// Renames a file that was written under its temporary name to its final path.
 Result<void> finishFile(const std::string& path, const std::string& written);
 
-/// Writes a file, whole or not at all: under another name until it is closed. If it is not, it is
-/// removed, and a file that was there before stays. Errors are kept until close().
+/// Writes a file completely or not at all: the data goes to a temporary file until close(). Without
+/// close(), the temporary file is removed, and a previous file of that name is kept. Errors are
+/// kept until close().
 class OutputFile {
  public:
   static Result<OutputFile> open(const std::string& path);
@@ -26,9 +27,9 @@ class OutputFile {
   ~OutputFile();
 
   std::FILE* file() const { return file_.get(); }
-  /// Returns whether it was written.
+  /// Returns whether the text was written.
   bool put(std::string_view text);
-  Error error() const;  ///< Why the last thing was not written.
+  Error error() const;  ///< Why the last write failed.
   Result<void> close();
 
  private:
@@ -42,7 +43,7 @@ class OutputFile {
   std::unique_ptr<std::FILE, Closer> file_;
 };
 
-/// Writes a file, whole or not at all.
+/// Writes a file completely or not at all.
 Result<void> writeFile(const std::string& path, std::string_view content);
 
 }  // namespace gt

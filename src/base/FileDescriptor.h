@@ -5,7 +5,7 @@
 
 namespace gt {
 
-/// An open file, socket or the like of the operating system; closes it at the end.
+/// Owns a file descriptor (file, socket, ...) and closes it when destroyed.
 class FileDescriptor {
  public:
   FileDescriptor() = default;
@@ -20,7 +20,7 @@ class FileDescriptor {
   }
 
   explicit operator bool() const { return number_ >= 0; }
-  /// What the operating system knows it by; negative if there is none.
+  /// The descriptor's number; negative if there is none.
   int number() const { return number_; }
 
  private:

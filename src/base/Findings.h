@@ -6,9 +6,9 @@
 
 namespace gt {
 
-/// All that was found wrong with data from outside, in the order in which it was found. Errors keep
-/// the data from being used; warnings do not, but a program that was started with `--strict` fails
-/// because of them, too.
+/// All errors and warnings about data from outside, in the order in which they were found. Errors
+/// keep the data from being used. Warnings do not, but they make a program that was started with
+/// `--strict` fail.
 class Findings {
  public:
   void add(Error finding) { list_.push_back(std::move(finding)); }
@@ -25,7 +25,7 @@ class Findings {
     add(std::move(finding));
   }
 
-  /// Sorts by file and line, and leaves out what was found twice.
+  /// Sorts by file and line, and removes duplicates.
   void sort();
 
   const std::vector<Error>& list() const { return list_; }
@@ -34,7 +34,7 @@ class Findings {
   Result<void> firstError() const;
   std::size_t errors() const { return count(Severity::error); }
   std::size_t warnings() const { return count(Severity::warning); }
-  /// Whether a program fails: there are errors, or it is strict and there are warnings.
+  /// Whether a program fails: there are errors, or `strict` is set and there are warnings.
   bool fail(bool strict) const { return errors() > 0 || (strict && warnings() > 0); }
   /// A line for each finding.
   std::string text() const;

@@ -28,45 +28,45 @@ constexpr double toDegrees(double radians) {
   return radians * (180 / pi);
 }
 
-/// The same angle in [-pi, pi); not a number if the angle is none.
+/// Normalizes an angle (rad) to [-pi, pi). Not a number if the angle is infinite or not a number.
 inline double normalize(double angle) {
   if (angle >= -pi && angle < pi) return angle;
   angle = std::remainder(angle, 2 * pi);
   return angle >= pi ? -pi : angle;
 }
 
-/// The angle of a vector to the x-axis in (-pi, pi].
+/// Angle (rad) of a vector to the x-axis in (-pi, pi].
 inline double angleOf(const Vector2d& v) {
   return std::atan2(v.y(), v.x());
 }
 
-/// The vector turned counterclockwise by an angle.
+/// Rotates a vector counterclockwise by an angle (rad).
 inline Vector2d rotated(const Vector2d& v, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
 }
 
-/// A unit vector to a direction.
+/// Unit vector in the direction of an angle (rad).
 inline Vector2d direction(double angle) {
   return {std::cos(angle), std::sin(angle)};
 }
 
-/// Rotations about one axis, counterclockwise when looked at against the axis (report 2.1.4,
-/// RotationMatrix): a product rotates on, `transpose()` rotates back.
+/// Rotations about one axis by an angle (rad), counterclockwise when looking against the axis
+/// (report 2.1.4, RotationMatrix). A product combines rotations, `transpose()` inverts one.
 Matrix3d rotationX(double angle);
 Matrix3d rotationY(double angle);
 Matrix3d rotationZ(double angle);
 
-/// The rotation about an axis in a matrix that is rotationZ(z) * rotationY(y) * rotationX(x)
-/// (report 2.1.4, RotationMatrix); y lies in [-pi/2, pi/2]. Where y is one of these ends only x and
-/// z together are known: then x is 0.
+/// Angles (rad) about the axes of a matrix that is rotationZ(z) * rotationY(y) * rotationX(x)
+/// (report 2.1.4, RotationMatrix); y lies in [-pi/2, pi/2]. If y is one of these two limits, only x
+/// and z together are determined, and x is 0.
 double angleX(const Matrix3d& rotation);
 double angleY(const Matrix3d& rotation);
 double angleZ(const Matrix3d& rotation);
 
-/// A pose on the ground, or a change of one: first the translation, then the rotation
-/// (report 2.1.4). Whatever computes a pose normalizes its rotation; the constructors take it as it
-/// is, since speeds are poses, too (rad/s and mm/s).
+/// A pose on the ground (mm, rad), or a change of one: first the translation, then the rotation
+/// (report 2.1.4). Functions that compute a pose normalize its rotation. The constructors do not,
+/// because speeds are also stored as poses (mm/s, rad/s).
 struct Pose2D {
   double rotation = 0;
   Vector2d translation = Vector2d::Zero();
@@ -75,14 +75,14 @@ struct Pose2D {
   Pose2D(double angle, const Vector2d& position) : rotation(angle), translation(position) {}
   Pose2D(double angle, double x, double y) : Pose2D(angle, Vector2d{x, y}) {}
 
-  /// A point given relative to this pose, in the system in which the pose is given.
+  /// Transforms a point from the frame of this pose to the frame in which the pose is given.
   Vector2d operator*(const Vector2d& point) const { return translation + rotated(point, rotation); }
-  /// A pose given relative to this one, in the system in which this one is given.
+  /// Transforms a pose from the frame of this pose to the frame in which this pose is given.
   Pose2D operator*(const Pose2D& other) const {
     return {normalize(rotation + other.rotation), *this * other.translation};
   }
   Pose2D inverse() const { return {normalize(-rotation), rotated(-translation, -rotation)}; }
-  /// This pose as seen from another: `base * relativeTo(base) == *this`.
+  /// This pose relative to another one: `base * relativeTo(base) == *this`.
   Pose2D relativeTo(const Pose2D& base) const { return base.inverse() * *this; }
 
   /// Moves the pose along its own axes.
@@ -96,12 +96,12 @@ struct Pose2D {
   }
 };
 
-/// Where a point given in the field's system is, seen from a pose.
+/// Transforms a point on the field (mm) to the frame of a pose on the field.
 inline Vector2d relative(const Pose2D& pose, const Vector2d& onField) {
   return rotated(onField - pose.translation, -pose.rotation);
 }
 
-/// A pose in space, or a change of one (report 2.1.4).
+/// A pose in space (translation in mm), or a change of one (report 2.1.4).
 struct Pose3D {
   Matrix3d rotation = Matrix3d::Identity();
   Vector3d translation = Vector3d::Zero();

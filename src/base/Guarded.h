@@ -5,10 +5,10 @@
 
 namespace gt {
 
-/// What an exception reports, as one line.
+/// The message of an exception as an error of one line.
 Error errorOf(const std::exception& exception);
 
-/// What work() returns, a Result; an exception that leaves it becomes an error.
+/// Returns the Result of work(). An exception thrown by work() becomes an error.
 template <typename Work>
 auto guarded(Work&& work) -> decltype(work()) {
   try {

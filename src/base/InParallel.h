@@ -10,9 +10,9 @@
 
 namespace gt {
 
-/// The results of work(i) for i = 0 .. count-1, in this order, computed by some threads, the caller
-/// among them; by fewer if the system gives no more. `work` returns a Result<T>; an exception that
-/// leaves it becomes its error.
+/// Runs work(i) for i = 0 .. count-1 in up to `threads` threads, including the caller's, and
+/// returns the results in this order. Uses fewer threads if the system cannot create them. `work`
+/// returns a Result<T>; an exception that it throws becomes an error.
 template <typename Work>
 auto inParallel(std::size_t count, unsigned threads, Work&& work) {
   using Outcome = decltype(work(std::size_t{}));

@@ -23,18 +23,18 @@ struct Word {
 /// A line that holds more than a comment.
 struct Line {
   int number = 0;         ///< From 1.
-  std::string_view text;  ///< Without comment, and without blanks around it.
+  std::string_view text;  ///< Without comment and without surrounding blanks.
 };
 
-/// Takes the lines of a text one after another, as any machine writes them: they end with LF or
-/// CRLF, the last one also with nothing, and a byte-order mark may precede the first one.
+/// Iterates over the lines of a text. Lines end with LF or CRLF; the last one may have no line end.
+/// A byte-order mark at the begin of the text is skipped.
 class LineReader {
  public:
   explicit LineReader(std::string_view text);
 
-  /// The next line without its end; nothing behind the last one.
+  /// Returns the next line without its line end; empty after the last one.
   std::optional<std::string_view> next();
-  /// Of the line that was taken last, from 1.
+  /// Number of the line that was returned last, from 1.
   int number() const { return number_; }
 
  private:
@@ -51,11 +51,11 @@ std::vector<Line> linesOf(std::string_view text);
 
 /// The words of a line without a comment; an error if a closing quote is missing.
 Result<std::vector<Word>> wordsOf(std::string_view line);
-/// Takes the blanks and the first word from the begin of a line, as `wordsOf` does; the word is
-/// empty and not quoted at the end.
+/// Removes leading blanks and the first word from a line and returns the word, parsed as by
+/// `wordsOf`. At the end of the line the word is empty and not quoted.
 Result<Word> takeWord(std::string_view& line);
 
-/// A text as one word, quoted if need be: reading it gives the same text.
+/// Writes a text as one word, quoted if necessary, so that reading it yields the same text.
 std::string quotedWord(std::string_view text);
 
 }  // namespace gt

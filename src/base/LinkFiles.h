@@ -5,9 +5,9 @@
 
 namespace gt {
 
-/// Makes a folder with links to the files of another one, or adds them to it; a link replaces what
-/// has its name. Folders within are real: paths such as ../config lead from one to another. `from`
-/// must be absolute.
+/// Fills a folder with symbolic links to the files of another one. The folder is created if it does
+/// not exist; a link replaces a file of the same name. Subfolders are created as real folders, so
+/// that paths such as ../config work. `from` must be absolute.
 Result<void> linkFiles(const std::filesystem::path& from, const std::filesystem::path& to);
 
 }  // namespace gt

@@ -7,8 +7,8 @@
 
 namespace gt {
 
-/// The number that a text is from its first to its last character; empty if it is none, or too
-/// large for the type. The base counts for whole numbers.
+/// Parses the whole text as a number. Empty if the text is not a number, or if the number is too
+/// large for the type. The base is used for whole numbers only.
 template <typename N>
 std::optional<N> numberFrom(std::string_view text, int base = 10) {
   N number{};
@@ -21,7 +21,7 @@ std::optional<N> numberFrom(std::string_view text, int base = 10) {
   return result.ec == std::errc{} && result.ptr == end ? std::optional{number} : std::nullopt;
 }
 
-/// A number as the shortest text that reads as the same number.
+/// The shortest text that is parsed as the same number.
 template <typename N>
 std::string numberText(N number) {
   char text[40];

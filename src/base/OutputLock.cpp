@@ -35,7 +35,7 @@ bool names(const std::string& path, const FileDescriptor& file) {
 
 }  // namespace
 
-// A file in it, since folders on other machines cannot be locked.
+// Locks a file in the folder, since folders on other machines cannot be locked.
 Result<OutputLock> OutputLock::ofFolder(const std::string& folder) {
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
@@ -44,7 +44,7 @@ Result<OutputLock> OutputLock::ofFolder(const std::string& folder) {
   for (;;) {
     auto file = lockedFile(path, folder);
     if (!file) return file.error();
-    // Who held it before may have removed it since it was opened here.
+    // The previous owner of the lock may have removed the file since it was opened here.
     if (names(path, *file)) return OutputLock{std::move(*file), path};
   }
 }

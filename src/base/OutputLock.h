@@ -6,14 +6,14 @@
 
 namespace gt {
 
-/// Keeps a folder or a file for what one program writes. Whoever takes the lock while another one,
-/// also of this program, holds it gets an error. It ends with the object, and with the program,
-/// however that ends.
+/// Locks a folder or a file for the output of one program. Locking fails with an error while the
+/// lock is held elsewhere, also by this program. The lock ends with the object, and at the latest
+/// with the program, however that ends.
 class OutputLock {
  public:
-  /// Makes the folder if it is not there.
+  /// Creates the folder if it does not exist.
   static Result<OutputLock> ofFolder(const std::string& folder);
-  /// Makes an empty file if there is none.
+  /// Creates an empty file if it does not exist.
   static Result<OutputLock> ofFile(const std::string& file);
   OutputLock(OutputLock&& other) noexcept = default;
   OutputLock& operator=(OutputLock&& other) noexcept = default;
@@ -24,7 +24,7 @@ class OutputLock {
       : file_{std::move(file)}, remove_{std::move(remove)} {}
 
   FileDescriptor file_;
-  std::string remove_;  ///< Is removed at the end; empty: nothing.
+  std::string remove_;  ///< Path that is removed at the end; empty if none.
 };
 
 }  // namespace gt

@@ -10,16 +10,17 @@
 
 namespace gt {
 
-/// JSON that is nested more deeply is refused: its values are copied, written and destroyed
-/// recursively.
+/// Greatest depth of nesting. JSON that is nested more deeply is refused, because its values are
+/// copied, written and destroyed recursively.
 constexpr std::size_t deepestJson = 100;
-/// Objects with more members are refused: a key is looked for among all before it.
+/// Greatest number of members of an object. Objects with more are refused, because each key is
+/// compared with all before it.
 constexpr std::size_t mostJsonMembers = 1000;
 
 namespace detail {
 
-/// Builds a value of nlohmann's library from what its parser finds, without recursion, and stops
-/// the parser at the first fault.
+/// Builds a value of nlohmann's library from the parser's events without recursion, and stops the
+/// parser at the first error.
 template <typename Json>
 class JsonBuilder : public nlohmann::json_sax<Json> {
  public:
@@ -85,14 +86,15 @@ class JsonBuilder : public nlohmann::json_sax<Json> {
   }
 
   Json root_;
-  std::vector<Json*> open_;  ///< From the outermost on; nothing is added beside an open one.
+  std::vector<Json*> open_;  ///< The open containers from the outermost to the innermost; values
+                             ///< are added to the innermost only.
   typename Json::string_t name_;
   Error error_;
 };
 
 }  // namespace detail
 
-/// Parses text as JSON: the one way in which JSON comes into a program. An error's field is the
+/// Parses text as JSON. All JSON that a program reads is parsed here. The field of an error is the
 /// offset in the text.
 template <typename Json>
 Result<Json> parseJsonAs(std::string_view text, const std::string& sourceName) {

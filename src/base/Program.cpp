@@ -14,7 +14,7 @@
 namespace gt {
 namespace {
 
-/// A file without a name: of any size, so that no side waits for the other one.
+/// A file without a name. It may have any size, so that neither side waits for the other one.
 FileDescriptor memoryFile(std::string_view content = {}) {
   FileDescriptor file{memfd_create("program", MFD_CLOEXEC)};
   while (!content.empty()) {

@@ -7,27 +7,27 @@
 
 namespace gt {
 
-/// How bad something is that is reported: an error keeps data from being used or work from being
-/// done, a warning does not.
+/// Severity of a report: an error keeps data from being used or work from being done, a warning
+/// does not.
 enum class Severity { note, warning, error };
 
-/// What is wrong with data from outside, and where. Made by naming what is known:
+/// Describes an error in data from outside and its place. Only the known members are set:
 /// `Error{.file = path, .line = 3, .field = "gain", .what = "expected a number"}`.
 struct Error {
   std::string
       file{};      ///< Path as the user gave it, or a name of the source ("console", "network").
   int line = 0;    ///< From 1; 0 where there are no lines.
-  int column = 0;  ///< From 1; 0 if it is not known.
+  int column = 0;  ///< From 1; 0 if unknown.
   std::string field{};  ///< The field, element or name concerned; may be empty.
   std::string what{};   ///< What is wrong, and what was expected.
   Severity severity = Severity::error;
 
-  /// One line: `file:line:column: field: what`, as compilers name places, with `warning: ` before
+  /// One line: `file:line:column: field: what`, in the format of compilers, with `warning: ` before
   /// the field of a warning.
   std::string text() const;
 };
 
-/// A value, or the error that kept it from being made.
+/// Either a value, or the error that prevented it.
 template <typename T>
 class [[nodiscard]] Result {
  public:
@@ -46,7 +46,7 @@ class [[nodiscard]] Result {
   std::variant<T, Error> state_;
 };
 
-/// Nothing, or the error that kept it from being done.
+/// Either success, or the error that prevented it.
 template <>
 class [[nodiscard]] Result<void> {
  public:

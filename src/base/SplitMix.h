@@ -3,7 +3,7 @@
 
 namespace gt {
 
-/// By which the counter grows that SplitMix64 mixes.
+/// Increment of the counter that SplitMix64 mixes.
 constexpr std::uint64_t splitMixStep = 0x9e3779b97f4a7c15;
 
 /// Mixes a counter (SplitMix64; Steele, Lea and Flood 2014).

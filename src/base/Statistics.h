@@ -6,8 +6,8 @@
 
 namespace gt {
 
-/// Mean, variance and extremes of numbers that come one after another (Welford 1962): no number is
-/// kept, and large means take nothing from small variances.
+/// Running mean, variance and extremes of a sequence of numbers (Welford 1962). No number is
+/// stored, and the variance stays accurate if it is small compared to the mean.
 class RunningStatistics {
  public:
   void add(double x) {
@@ -18,17 +18,17 @@ class RunningStatistics {
     if (x < low_) low_ = x;
     if (x > high_) high_ = x;
   }
-  /// As if all that was added to another had been added to this.
+  /// Merges the statistics of another sequence into this one.
   void add(const RunningStatistics& other);
   void clear() { *this = {}; }
 
   std::size_t count() const { return count_; }
-  /// 0 of nothing.
+  /// Mean; 0 if no number was added.
   double mean() const { return mean_; }
-  /// Of the numbers themselves; 0 of nothing.
+  /// Population variance (divided by the count); 0 if no number was added.
   double variance() const { return count_ > 0 ? squares_ / static_cast<double>(count_) : 0; }
   double standardDeviation() const { return std::sqrt(variance()); }
-  /// Infinite of nothing.
+  /// Smallest number; infinite if none was added.
   double low() const { return low_; }
   double high() const { return high_; }
 
@@ -39,11 +39,11 @@ class RunningStatistics {
   double high_ = -std::numeric_limits<double>::infinity();
 };
 
-/// The mean of numbers; 0 of none.
+/// Mean of the numbers; 0 if there are none.
 double mean(const std::vector<double>& values);
 
-/// The value below which a share (0 .. 1) of the values lies, linear between two of them: 0.5 is
-/// the median, 0.95 the 95th percentile; 0 of none.
+/// The value below which a share (0 .. 1) of the values lies, interpolated linearly between two of
+/// them: 0.5 is the median, 0.95 the 95th percentile. 0 if there are no values.
 double quantile(std::vector<double> values, double share);
 
 }  // namespace gt

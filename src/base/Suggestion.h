@@ -5,11 +5,11 @@
 
 namespace gt {
 
-/// What follows an error about an unknown name: "; did you mean 'x'?" with the known name that is
-/// spelled most like it, or nothing if none is. Capitals and small letters count as alike.
+/// A supplement for an error about an unknown name: "; did you mean 'x'?" with the known name of
+/// the most similar spelling, or an empty text if none is similar. Ignores case.
 std::string suggestion(std::string_view name, const std::vector<std::string>& known);
 
-/// The names of a list of things that have one.
+/// The names of all elements of a list; each element has a `name`.
 template <typename List>
 std::vector<std::string> namesIn(const List& list) {
   std::vector<std::string> names;

@@ -5,8 +5,8 @@
 
 namespace gt {
 
-/// A folder with a name that nobody else has, for as long as this object exists. Its path is empty
-/// if it cannot be made.
+/// A folder with a unique name that is removed with this object. The path is empty if the folder
+/// cannot be created.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

@@ -4,7 +4,7 @@
 
 namespace gt {
 
-/// A point in time in milliseconds since the robot's start, by the platform's clock.
+/// A point in time in ms since the robot's start, by the platform's clock.
 struct Time {
   std::int64_t ms = 0;
 
@@ -14,7 +14,7 @@ struct Time {
   friend constexpr Time operator-(Time t, std::int64_t d) { return {t.ms - d}; }
 };
 
-/// When what never happened happened: an hour before the start, too long ago for every test of age.
+/// Sentinel for "never": one hour before the start, which is too long ago for every test of age.
 constexpr Time never() {
   return {-3'600'000};
 }

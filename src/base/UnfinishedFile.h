@@ -6,10 +6,10 @@
 
 namespace gt {
 
-/// A file on its way to being whole: it is written under another name until it is finished. If it
-/// never is, it is removed, and a file that was there before stays. For what libraries and other
-/// programs write; this program's own text goes to an OutputFile. To be made once nobody else may
-/// write the file.
+/// Writes a file completely or not at all: it is written under a temporary name until finish().
+/// Without finish(), it is removed, and a previous file of that name is kept. For files that
+/// libraries and other programs write; this program's own text goes to an OutputFile. Must be
+/// created once no other program may write the file.
 class UnfinishedFile {
  public:
   explicit UnfinishedFile(std::string path)
@@ -19,9 +19,9 @@ class UnfinishedFile {
   ~UnfinishedFile();
 
   const std::string& path() const { return path_; }
-  /// The name under which it is written.
+  /// The temporary name under which the file is written.
   const std::string& written() const { return written_; }
-  /// Gives the file its own name.
+  /// Renames the file to its own name.
   Result<void> finish();
 
  private:

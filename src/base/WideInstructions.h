@@ -9,9 +9,9 @@ template <typename Work>
 }
 #endif
 
-/// Does work with the widest instructions that the processor has: the same bits, sooner, as nothing
-/// is contracted or summed in another order. The work's operator() and all loops in it are always
-/// inlined.
+/// Does work with the widest vector instructions of the processor. The results are bit for bit the
+/// same, because nothing is contracted or summed in another order. The work's operator() and all
+/// loops in it are always inlined.
 template <typename Work>
 void withWideInstructions(const Work& work) {
 #ifdef __x86_64__

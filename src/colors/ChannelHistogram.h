@@ -6,10 +6,10 @@
 
 namespace gt {
 
-/// How often each value of one channel was seen, and which thresholds follow from it.
+/// A histogram of the values of one channel, from which thresholds are derived.
 class ChannelHistogram {
  public:
-  /// A channel of the values 0 to size - 1, which may lie on a circle.
+  /// A channel with the values 0 to size - 1, which may be circular.
   explicit ChannelHistogram(int size, bool circular = false)
       : counts_(static_cast<std::size_t>(size)), circular_(circular) {}
 
@@ -20,8 +20,9 @@ class ChannelHistogram {
   const std::vector<std::uint64_t>& counts() const { return counts_; }
   std::uint64_t total() const { return total_; }
 
-  /// The narrowest range that holds at least a share of what was seen (above 0, up to 1); of
-  /// equally narrow ones that which holds most. If nothing was seen, nothing lies in it.
+  /// The narrowest range that contains at least a share (above 0, up to 1) of the counted values;
+  /// of equally narrow ranges the one that contains most. If nothing was counted, the range is
+  /// empty.
   ColorRange narrowest(double share) const;
 
  private:

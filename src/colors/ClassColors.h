@@ -5,7 +5,7 @@
 
 namespace gt {
 
-/// How a color class is shown.
+/// The color in which a color class is displayed.
 constexpr Color displayColor(ColorClass colorClass) {
   constexpr EnumArray<ColorClass, Color> shown{
       {Color{128, 128, 128}, colors::orange, colors::yellow, colors::skyblue, colors::pink,

@@ -6,7 +6,7 @@
 
 namespace gt {
 
-/// How often colors of one class are taken for which other one: a confusion matrix.
+/// A confusion matrix of color classes: how often colors of one class are classified as another.
 class ColorConfusion {
  public:
   void add(ColorClass actual, ColorClass predicted, std::uint64_t times = 1) {
@@ -16,26 +16,26 @@ class ColorConfusion {
     return counts_[actual][predicted];
   }
 
-  /// How many are of a class, and how many are classified as it.
+  /// The number of samples of a class, and the number of samples that are classified as it.
   std::uint64_t actualCount(ColorClass colorClass) const;
   std::uint64_t predictedCount(ColorClass colorClass) const;
   std::uint64_t total() const;
 
-  /// The share of what is classified as a class that is of it; 1 if nothing is.
+  /// The share of samples classified as a class that belong to it; 1 if there are none.
   double precision(ColorClass colorClass) const;
-  /// The share of what is of a class that is classified so; 1 if nothing is of it.
+  /// The share of samples of a class that are classified as it; 1 if there are none.
   double recall(ColorClass colorClass) const;
-  /// The share of all that is classified correctly.
+  /// The share of all samples that are classified correctly.
   double accuracy() const;
 
-  /// As lines for people: a row for each class that there is, with its precision and recall.
+  /// A table for people: a row for each class that occurs, with its precision and recall.
   std::string text(const std::string& rows, const std::string& columns) const;
 
  private:
   EnumArray<ColorClass, EnumArray<ColorClass, std::uint64_t>> counts_;
 };
 
-/// How two tables agree about all colors: the first one's classes are the truth.
+/// Compares the classes of all colors in two tables; the first table is considered the truth.
 ColorConfusion compareTables(const ColorTable64& a, const ColorTable64& b);
 
 }  // namespace gt

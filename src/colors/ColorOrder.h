@@ -5,10 +5,10 @@
 
 namespace gt {
 
-/// A warning about a table that was probably read in another order of class numbers than its file
-/// was written in: it has classes, but not those of every field, green, white and gray. It was read
-/// in the order of a robot of 2009, or in that of the report; `remedy` tells how to read it in the
-/// other one. Empty if there is nothing to warn of.
+/// A warning about a table that was probably read with the wrong order of class numbers: it has
+/// classes, but none of those that every field has: green, white and gray. The table was read in
+/// the order of a robot of 2009 (`nao2009`), or in that of the report. `remedy` describes how to
+/// read it in the other order. Empty if there is no reason for a warning.
 std::string doubtOfOrder(const ColorTable64& table, const std::string& file, bool nao2009,
                          const std::string& remedy);
 

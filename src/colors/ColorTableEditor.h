@@ -6,21 +6,21 @@
 
 namespace gt {
 
-/// Which colors the median filter adds to a class (report J.6.1).
+/// Parameters of the median filter, which adds colors to a class (report J.6.1).
 struct MedianRule {
-  int neighbors = 6;      ///< At least so many colors of the class have to be near.
-  int distance = 1;       ///< How far away those may be, in cubes of the table (1 to 8).
-  bool reassign = false;  ///< Also colors that have a class already.
+  int neighbors = 6;      ///< Least number of near colors of the class.
+  int distance = 1;       ///< Greatest distance of near colors, in cubes of the table (1 to 8).
+  bool reassign = false;  ///< Whether colors that already have a class may change it.
 };
 
-/// What is done with each image that comes in (report J.6.1, *auto-remove/median*).
+/// Filters that are applied after each image (report J.6.1, *auto-remove/median*).
 struct AutomaticFilters {
   bool remove = false, median = false;
-  std::optional<ColorClass> selected;  ///< Nothing for all colors.
+  std::optional<ColorClass> selected;  ///< The class to be filtered; empty for all.
   MedianRule rule;
 };
 
-/// Makes a color table by clicking (report J.6.1). A color is a 4x4x4 cube of YCbCr. Each change
+/// Creates a color table by clicking (report J.6.1). A color is a 4x4x4 cube of YCbCr. Each change
 /// is a step that can be undone, as long as no more than four million colors were changed since.
 class ColorTableEditor {
  public:
@@ -28,25 +28,25 @@ class ColorTableEditor {
 
   const ColorTable64& table() const { return table_; }
 
-  /// Assigns the class to the color of a pixel: the left button.
+  /// Assigns a class to the color of a pixel (left button).
   void set(const Pixel& pixel, ColorClass colorClass);
-  /// Takes its class from the color of a pixel: the right button.
+  /// Removes the class from the color of a pixel (right button).
   void remove(const Pixel& pixel) { set(pixel, ColorClass::noColor); }
-  /// Takes all its colors from a class.
+  /// Removes all colors from a class.
   void clear(ColorClass colorClass);
   void reset();
 
-  /// Removes the colors that have none of their class among their 26 neighbors; of the selected
-  /// class, or of all.
+  /// Removes the colors without a color of the same class among their 26 neighbors, in the selected
+  /// class or in all.
   void removeIsolated(std::optional<ColorClass> selected = {});
-  /// Adds colors to the selected class that have enough of its colors near, or to all classes
-  /// the colors that have enough of theirs near: to that class of which there are most.
+  /// Adds colors with enough near colors of the selected class to that class. Without a selected
+  /// class, adds each color to the class with most near colors, if these are enough.
   void median(const MedianRule& rule, std::optional<ColorClass> selected = {});
 
-  /// Filters as a part of the step before.
+  /// Applies the filters as a part of the previous step.
   void onPicture(const AutomaticFilters& filters);
 
-  /// Takes the last step back; false if there is none.
+  /// Undoes the last step. Returns false if there is none.
   bool undo();
 
  private:

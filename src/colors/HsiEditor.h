@@ -5,7 +5,7 @@
 
 namespace gt {
 
-/// Makes color classes as sectors of the HSI space, by sliders or by clicking on pixels (report
+/// Defines color classes as sectors of the HSI space, by sliders or by clicking on pixels (report
 /// J.6.2). The last changes can be undone.
 class HsiEditor {
  public:
@@ -13,14 +13,14 @@ class HsiEditor {
 
   const HsiColors& colors() const { return colors_; }
 
-  /// The sliders: any values, cut to those that there are.
+  /// Sets a range by the sliders. Values are clamped to their limits.
   void setRange(ColorClass colorClass, HsiRange range);
-  /// The left button: the class grows until the pixel's color lies in it.
+  /// Enlarges the class to include the pixel's color (left button).
   void include(ColorClass colorClass, const Pixel& pixel);
-  /// The right button: the class shrinks until the pixel's color lies outside.
+  /// Reduces the class to exclude the pixel's color (right button).
   void exclude(ColorClass colorClass, const Pixel& pixel);
 
-  /// Takes the last change back; false if there is none. A hundred are known.
+  /// Undoes the last change. Returns false if there is none. At most a hundred changes are stored.
   bool undo();
 
  private:

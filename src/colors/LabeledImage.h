@@ -11,12 +11,11 @@
 
 namespace gt {
 
-/// A rectangle of an image: the pixels from its upper left to its lower right corner, both
-/// included.
+/// A rectangle of an image, from its upper left to its lower right pixel, both included.
 struct ImageRegion {
   int left = 0, top = 0, right = 0, bottom = 0;
 
-  /// Calls visit(pixel) for all of an image's pixels that lie inside.
+  /// Calls visit(pixel) for all pixels of an image inside the rectangle.
   template <typename Visit>
   void forEachPixel(const Image& image, Visit visit) const {
     for (int y = std::max(top, 0); y <= std::min(bottom, image.info.height - 1); ++y)
@@ -27,20 +26,20 @@ struct ImageRegion {
 
 /// A label by a person: a rectangle of an image that shows one color class.
 struct LabeledRegion {
-  std::string picture;  ///< A file's name, or a log's image by its number from 0.
+  std::string picture;  ///< Name of a file, or number of a log's image, from 0.
   ColorClass colorClass = ColorClass::noColor;
   ImageRegion region;
 };
 
-/// An image with known content: the class of each pixel, as the simulator provides it, or
-/// regions, as a person does.
+/// An image with known classes: those of all pixels, as provided by the simulator, or those of
+/// regions, as labeled by a person.
 struct LabeledImage {
   const Image& image;
-  std::span<const ColorClass> classes;  ///< Of all pixels, or none.
+  std::span<const ColorClass> classes;  ///< Of all pixels, or empty.
   std::span<const LabeledRegion> regions;
 
-  /// Calls visit(pixel, class) for the pixels whose class is sure. Those whose four neighbors are
-  /// of another class are not: blur mixes them.
+  /// Calls visit(pixel, class) for all pixels whose class is certain. Pixels are excluded if
+  /// one of their four neighbors has another class, because blur mixes the colors.
   template <typename Visit>
   void forEachPixel(Visit visit) const {
     for (const LabeledRegion& label : regions)
@@ -57,7 +56,7 @@ struct LabeledImage {
   }
 };
 
-/// Reads a table of labels with the columns image, class, left, top, right, bottom.
+/// Parses a table of labels with the columns image, class, left, top, right, bottom.
 Result<std::vector<LabeledRegion>> parseRegions(std::string_view text, const std::string& file);
 Result<std::vector<LabeledRegion>> readRegions(const std::string& file);
 

@@ -6,12 +6,12 @@
 
 namespace gt {
 
-/// A color of light, each part from 0 to 255.
+/// An RGB color, each component from 0 to 255.
 struct Rgb {
   double red = 0, green = 0, blue = 0;
 };
 
-/// The light of a color in YCbCr (full range, as in JPEG); what no light can be is cut off.
+/// Converts a color from YCbCr (full range, as in JPEG) to RGB; components are clamped.
 inline Rgb rgbOf(double y, double cb, double cr) {
   const auto part = [](double value) { return std::clamp(value, 0.0, 255.0); };
   return {part(y + 1.402 * (cr - 128)), part(y - 0.344136 * (cb - 128) - 0.714136 * (cr - 128)),
@@ -21,8 +21,8 @@ inline Rgb rgbOf(const Pixel& pixel) {
   return rgbOf(pixel.y, pixel.cb, pixel.cr);
 }
 
-/// A color table from another way to classify: each 4x4x4 cube of colors gets the class that
-/// `classOf(const Rgb&)` returns for its middle.
+/// Makes a color table from another classification: each 4x4x4 cube of colors gets the class that
+/// `classOf(const Rgb&)` returns for its center.
 template <typename ClassOf>
 ColorTable64 colorTableBy(ClassOf classOf) {
   ColorTable64 table;

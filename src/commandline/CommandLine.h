@@ -10,9 +10,9 @@
 
 namespace gt {
 
-/// The command line of a program. All programs share that an error is reported in one line that
-/// begins with the program's name, and ends the program with exit status 2; so is an exception that
-/// leaves the program's work.
+/// The command line of a program. In all programs an error is reported in one line that begins with
+/// the program's name, and ends the program with exit status 2. An exception thrown by the
+/// program's work is handled in the same way.
 class CommandLine {
  public:
   /// Returns the exit status, or the error that ends the program.
@@ -20,10 +20,10 @@ class CommandLine {
 
   CommandLine(int argc, char** argv, const std::string& description);
 
-  /// Takes the program's options.
+  /// The parser, to which the program adds its options.
   CLI::App& app() { return app_; }
-  /// Adds the option --root. The root is found at once, so that other options may default to files
-  /// in it; if there is none, `run` reports that.
+  /// Adds the option --root. The root is searched immediately, so that other options can have
+  /// default files in it. If there is none, `run` reports that.
   const DataRoot& root();
 
   /// Adds a command, one of which must be given. Its action may return a Result<void>, a
@@ -38,7 +38,7 @@ class CommandLine {
   int run(F action) {
     return perform(actionOf(std::move(action)));
   }
-  /// The same; a command must be given.
+  /// Parses the command line and performs the given command, which is required.
   int run() { return perform(nullptr); }
 
  private:
@@ -62,7 +62,7 @@ class CommandLine {
   char** argv_;
   std::string name_;
   CLI::App app_;
-  Action command_;  ///< Of the command that is given.
+  Action command_;  ///< Action of the given command.
   std::string rootOption_;
   std::optional<Result<DataRoot>> root_;
 };

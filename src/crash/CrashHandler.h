@@ -7,9 +7,9 @@ namespace gt {
 /// the user has none.
 std::string crashFolder();
 
-/// Where crash reports of a program go.
+/// The name of the program and the folder for its crash reports.
 struct CrashSettings {
-  std::string program;  ///< Its name.
+  std::string program;  ///< Name of the program.
   /// Made when a report is written. The report is crash-PROGRAM-PID.txt.
   std::string folder = crashFolder();
 };

@@ -25,20 +25,20 @@ struct Instruction {
   SourcePlace place;
 };
 
-/// Turns the addresses of a crash report into places in the sources and into assembler. Binaries
-/// are recognized by their build ids; if one was stripped, its symbols are looked for in the
-/// folders given, and in Debian's (/usr/lib/debug): as .build-id/ab/cdef….debug, or under any name.
-/// elfutils read symbols and debug information, objdump (binutils) the machine's code. Safe on any
-/// file.
+/// Converts the addresses of a crash report to places in the sources and to assembler. Binaries are
+/// identified by their build ids. The symbols of a stripped binary are searched in the given
+/// folders, and in Debian's (/usr/lib/debug): as .build-id/ab/cdef….debug, or under any name.
+/// elfutils read symbols and debug information, objdump (binutils) disassembles the code. Safe on
+/// any file.
 class Symbolizer {
  public:
   Symbolizer(const CrashReport& report, const std::vector<std::string>& symbolFolders);
 
-  /// The place of an address, after it those that it was inlined into. Never empty.
+  /// The place of an address, followed by the places into which it was inlined. Never empty.
   std::vector<SourcePlace> places(std::uint64_t address);
   /// The instructions round an address, at most `count` before it and behind it.
   Result<std::vector<Instruction>> assembler(std::uint64_t address, std::size_t count);
-  /// Modules whose binary or symbols are not there, and why.
+  /// Modules whose binary or symbols were not found, and the reasons.
   const std::vector<Error>& missing() const { return missing_; }
 
  private:

@@ -10,9 +10,9 @@ namespace gt {
 
 class Debug;
 
-/// What a module draws on while its key is active; the drawing is sent when the canvas goes out of
-/// scope. `if (auto canvas = debug.onField(key)) canvas.circle(...);` Positions and sizes are mm on
-/// the field or around the robot, or pixels of the image.
+/// The drawing of a module while its key is active; it is sent when the canvas goes out of scope:
+/// `if (auto canvas = debug.onField(key)) canvas.circle(...);` Positions and sizes are in mm on the
+/// field or relative to the robot, or in pixels of the image.
 class Canvas {
  public:
   Canvas() = default;
@@ -34,10 +34,10 @@ class Canvas {
   void circle(const Vector2d& center, double radius, Color color = {}, double penWidth = 1,
               PenStyle style = {});
   void disk(const Vector2d& center, double radius, Color color = {});
-  /// An ellipse by its half axes; the first one points into the direction (rad).
+  /// An ellipse by its half axes; `direction` (rad) is that of the first one.
   void ellipse(const Vector2d& center, double first, double second, double direction,
                Color color = {}, double penWidth = 1, PenStyle style = {});
-  /// A filled part of a disk, counterclockwise from one direction to another (rad).
+  /// A filled sector of a disk, counterclockwise from direction `from` to direction `to` (rad).
   void sector(const Vector2d& center, double radius, double from, double to, Color color = {});
   void path(std::vector<Vector2d> points, Color color = {}, double penWidth = 1,
             PenStyle style = {});
@@ -46,7 +46,7 @@ class Canvas {
   void area(std::vector<Vector2d> corners, Color color = {});
   void cross(const Vector2d& at, double size, Color color = {}, double penWidth = 1);
   void text(const Vector2d& at, std::string text, Color color = {}, double height = 10);
-  /// A robot's pose: an arrow of 100 mm from where it stands.
+  /// A robot's pose: an arrow of `length` that begins at its position.
   void pose(const Pose2D& pose, Color color = {}, double length = 100);
 
  private:

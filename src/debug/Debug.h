@@ -12,14 +12,14 @@
 
 namespace gt {
 
-/// A process's way to whoever watches it (report, appendix E): keys, drawings, plots, text, any
-/// representation. All of it leaves as messages; a key that nobody asked for costs one branch, and
-/// nothing at all where `debugging` is off.
+/// The debug output of a process (report, appendix E): keys, drawings, plots, text, any
+/// representation. All output is sent as messages. A key that is switched off costs one branch, and
+/// nothing if `debugging` is off.
 class Debug {
  public:
   explicit Debug(std::size_t queueCapacity = 1 << 20) : out_{queueCapacity} {}
 
-  /// Begins a frame: what is drawn and asked for until the next one belongs together.
+  /// Begins a frame. All output until the next call belongs to this frame.
   void begin(Time now) {
     now_ = now;
     keys_.begin(now);
@@ -30,7 +30,7 @@ class Debug {
   Canvas onRobot(const DebugKey& key) { return draw(key, DrawingSpace::robot); }
   Canvas onImage(const DebugKey& key) { return draw(key, DrawingSpace::image); }
 
-  /// Sends any representation: in any case, or if the key is active (report E.4, OUTPUT and INFO).
+  /// Sends any representation: always, or only if the key is active (report E.4, OUTPUT and INFO).
   template <typename T>
   void send(const T& representation) {
     if constexpr (debugging) out_.write(now_, representation);
@@ -39,14 +39,14 @@ class Debug {
   void send(const DebugKey& key, const T& representation) {
     if (isActive(key)) send(representation);
   }
-  /// Sends a text in any case.
+  /// Sends a text, independent of any key.
   void text(std::string text) { send(Text{std::move(text)}); }
-  /// Sends a text about something that should not happen; a run that is strict fails by it.
+  /// Sends a warning about something that should not happen; it makes a strict run fail.
   void warn(std::string text) { send(Text{std::move(text), Severity::warning}); }
   void plot(const DebugKey& key, double value) {
     if (isActive(key)) send(Plot{std::string{key.name()}, value});
   }
-  /// Does some work and sends how long it took: in any case, or if the key is active (report E.7).
+  /// Executes `work` and sends its duration: always, or only if the key is active (report E.7).
   template <typename Work>
   void stopTime(std::string_view event, Work&& work) {
     Stopwatch watch{std::string{event}};

@@ -10,7 +10,7 @@ namespace {
 
 struct Registry {
   std::vector<DebugKey> keys;
-  bool closed = false;  ///< Since a table exists, which has an entry for each key.
+  bool closed = false;  ///< Set once a table exists, because it has an entry for each key.
 };
 
 Registry& registry() {
@@ -59,7 +59,7 @@ bool DebugKeyState::isDue(Time now) {
     case DebugKeyMode::everyTimes:
       return ++count_ % std::max<std::int64_t>(request_.n, 1) == 0;
     case DebugKeyMode::everyMs:
-      // Time may go back: a log is played from elsewhere, a simulation is started anew.
+      // Time may jump back if a log is played from another position or a simulation is restarted.
       if (now >= last_ && now - last_ < request_.n) return false;
       last_ = now;
       return true;

@@ -9,20 +9,22 @@
 
 namespace gt {
 
-/// Whether debugging is part of the program. The build switch GT_DEBUGGING=OFF takes all of it out.
+/// Whether debugging is part of the program. The build switch GT_DEBUGGING=OFF removes it
+/// completely.
 #ifdef GT_NO_DEBUGGING
 constexpr bool debugging = false;
 #else
 constexpr bool debugging = true;
 #endif
 
-/// The name of something that can be asked for at run time, like "SelfLocator/samples" (report
-/// E.3). A constant at namespace scope in the file that uses it; that is the one place one writes
-/// to add a key. Constants of one name are one key: several modules may draw under it.
+/// The name of debug output that can be requested at run time, such as "SelfLocator/samples"
+/// (report E.3). A key is a constant at namespace scope in the file that uses it; no other place
+/// must be changed to add one. Constants of the same name are the same key: several modules may
+/// draw under it.
 class DebugKey {
  public:
-  /// Registers the key. Keys of a program are known before its first robot exists, so a key that is
-  /// a member or a local variable ends the program with a sentence.
+  /// Registers the key. All keys of a program must be registered before its first robot exists.
+  /// Therefore a key that is a member or a local variable ends the program with a message.
   explicit DebugKey(std::string_view name);
 
   std::string_view name() const { return name_; }
@@ -30,7 +32,7 @@ class DebugKey {
 
   /// All keys of the program, each name once, in the order of their indices.
   static const std::vector<DebugKey>& all();
-  /// The key with a name; null if there is none.
+  /// Returns the key with a name; null if there is none.
   static const DebugKey* find(std::string_view name);
 
  private:
@@ -41,13 +43,13 @@ class DebugKey {
 /// When a key's output is sent (report E.3).
 enum class DebugKeyMode { disabled, always, times, everyTimes, everyMs };
 
-/// The request for one key: its mode and the mode's number.
+/// The request for one key: its mode and the number that belongs to the mode.
 struct DebugKeyRequest {
   DebugKeyMode mode = DebugKeyMode::disabled;
   std::int64_t n = 0;
 };
 
-/// Whether something that was asked for is to be sent this time (report E.3).
+/// Decides whether requested output is sent this time (report E.3).
 class DebugKeyState {
  public:
   DebugKeyState() = default;
@@ -63,8 +65,8 @@ class DebugKeyState {
   Time last_ = never();
 };
 
-/// The states of all keys in one process (report E.3). A key that is due in a frame is due for all
-/// who use it in that frame.
+/// The states of all keys in one process (report E.3). If a key is due in a frame, it is due for
+/// all its users in that frame.
 class DebugKeyTable {
  public:
   DebugKeyTable();
@@ -80,7 +82,7 @@ class DebugKeyTable {
     now_ = now;
     ++frame_;
   }
-  /// True if the key's output is to be sent in this frame.
+  /// Whether the key's output is to be sent in this frame.
   bool isActive(const DebugKey& key) {
     return debugging && asked_[key.index()] && isDue(entries_[key.index()]);
   }
@@ -88,8 +90,8 @@ class DebugKeyTable {
  private:
   struct Entry {
     DebugKeyState state;
-    std::uint64_t frame = 0;  ///< In which it was asked last whether the key is due.
-    bool due = false;         ///< In that frame.
+    std::uint64_t frame = 0;  ///< Frame of the last check whether the key is due.
+    bool due = false;         ///< Result of that check.
   };
   bool isDue(Entry& entry) {
     if (entry.frame != frame_) {
@@ -101,7 +103,7 @@ class DebugKeyTable {
 
   Time now_;
   std::uint64_t frame_ = 1;
-  std::vector<char> asked_;  ///< Whether a key is on; next to each other, for speed.
+  std::vector<char> asked_;  ///< Whether each key is switched on; stored separately for speed.
   std::vector<Entry> entries_;
 };
 

@@ -16,7 +16,7 @@ struct Color {
 
   static constexpr auto fields() {
     return Fields{field<&Color::r>(), field<&Color::g>(), field<&Color::b>(),
-                  field<&Color::a>("255 is opaque")};
+                  field<&Color::a>("opacity; 255 is opaque")};
   }
 };
 
@@ -34,9 +34,9 @@ enum class ElementType {
   arrow,
   circle,
   disk,
-  ellipse,  ///< Its middle and the ends of its two half axes.
-  sector,   ///< Of a disk: its middle, where the arc begins, where it ends counterclockwise.
-  path,     ///< From point to point.
+  ellipse,  ///< Points: center and the ends of the two half axes.
+  sector,   ///< Part of a disk. Points: center, begin and end of the arc, counterclockwise.
+  path,     ///< Connects its points by lines.
   polygon,
   area,  ///< A filled polygon.
   text
@@ -44,7 +44,7 @@ enum class ElementType {
 
 enum class PenStyle { solid, dash, dot };
 
-/// One element of a drawing; what its points mean depends on its type.
+/// One element of a drawing; the meaning of its points depends on its type.
 struct DrawingElement {
   ElementType type = ElementType::point;
   std::vector<Vector2d> points;
@@ -62,11 +62,11 @@ struct DrawingElement {
                   field<&DrawingElement::color>(),
                   field<&DrawingElement::penWidth>(Unit::pixel),
                   field<&DrawingElement::text>(),
-                  field<&DrawingElement::penStyle>("of lines")};
+                  field<&DrawingElement::penStyle>("style of lines")};
   }
 };
 
-/// A debug drawing (report E.5): what a key's code drew in one cycle.
+/// A debug drawing (report E.5): all elements drawn under a key in one cycle.
 struct Drawing {
   std::string key;
   DrawingSpace space = DrawingSpace::field;
@@ -85,26 +85,25 @@ struct Plot {
   static constexpr auto fields() { return Fields{field<&Plot::key>(), field<&Plot::value>()}; }
 };
 
-/// Numbers for a module (report E.2): to try things out quickly. They become its parameters, in the
-/// order in which these are declared; the others keep their values.
+/// Numbers for a module, for quick experiments (report E.2). They are assigned to the module's
+/// parameters in the order of their declaration; the remaining parameters keep their values.
 struct GenericDebugData {
   std::string id;
   std::vector<double> data;
 
   static constexpr auto fields() {
-    return Fields{field<&GenericDebugData::id>(
-                      "TASK or TASK.SOLUTION; without the latter, the solution that runs"),
+    return Fields{field<&GenericDebugData::id>("TASK for the active solution, or TASK.SOLUTION"),
                   field<&GenericDebugData::data>()};
   }
 };
 
-/// How long something took (report E.7).
+/// The duration of a piece of work (report E.7).
 struct StopwatchTime {
   std::string event;
   double microseconds = 0;
 
   static constexpr auto fields() {
-    return Fields{field<&StopwatchTime::event>("a task, or what the module says"),
+    return Fields{field<&StopwatchTime::event>("name of a task, or of a piece of work in a module"),
                   field<&StopwatchTime::microseconds>(Unit::us)};
   }
 };

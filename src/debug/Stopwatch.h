@@ -8,8 +8,8 @@
 
 namespace gt {
 
-/// Measures how long a piece of work takes by the machine's own clock, over many times (report
-/// E.7). For people and benchmarks only: nothing that a robot does may depend on it.
+/// Measures the duration of a repeated piece of work by the machine's own clock (report E.7). For
+/// people and benchmarks only: nothing that a robot does may depend on it.
 struct Stopwatch {
   std::string name;
   std::int64_t count = 0;
@@ -19,7 +19,7 @@ struct Stopwatch {
 
   double meanMs() const { return count == 0 ? 0 : totalMs / static_cast<double>(count); }
 
-  /// Measures from its construction to its destruction.
+  /// Measures the time from its construction to its destruction.
   class Lap {
    public:
     explicit Lap(Stopwatch& watch) : watch_{watch}, begin_{Clock::now()} {}
@@ -40,8 +40,8 @@ struct Stopwatch {
   };
 
   static constexpr auto fields() {
-    return Fields{field<&Stopwatch::name>("the task or piece of work"),
-                  field<&Stopwatch::count>("how many times it was done"),
+    return Fields{field<&Stopwatch::name>("name of the task or piece of work"),
+                  field<&Stopwatch::count>("number of executions"),
                   field<&Stopwatch::totalMs>(Unit::ms), field<&Stopwatch::lastMs>(Unit::ms),
                   field<&Stopwatch::longestMs>(Unit::ms)};
   }

@@ -6,26 +6,26 @@
 
 namespace gt {
 
-/// A joystick of this machine, by SDL: the first that is plugged in. One that was pulled out is
-/// taken again when it is back.
+/// The first joystick that is connected to this machine, by SDL. It is reconnected after it was
+/// disconnected.
 class SdlJoystick {
  public:
   enum class Part { axis, hatX, hatY, button };
-  /// Something on it was moved.
+  /// A change of an axis, hat or button.
   struct Event {
     Part part;
     int number;    ///< Of the axis, hat or button, from 0.
-    double value;  ///< -1 to 1, to the right and back; of a button 0 or 1.
+    double value;  ///< -1 to 1, + to the right and backward; 0 or 1 for a button.
   };
 
-  /// An error if none is plugged in.
+  /// Returns an error if no joystick is connected.
   static Result<std::unique_ptr<SdlJoystick>> open();
   ~SdlJoystick();
   SdlJoystick(const SdlJoystick&) = delete;
   SdlJoystick& operator=(const SdlJoystick&) = delete;
 
   std::string name() const;
-  /// What happened since this was called last. Does not block.
+  /// Returns the events since the last call. Does not block.
   std::vector<Event> take();
 
  private:

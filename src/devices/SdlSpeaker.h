@@ -17,7 +17,7 @@ class SdlSpeaker {
   /// Begins to play a wave file, in the place of what is being played. Does not block. Returns an
   /// error if the file is none or the machine has no audio device.
   Result<void> play(const std::string& file);
-  /// Whether something is left to be played.
+  /// Whether a file is still being played.
   bool plays() const;
 
  private:

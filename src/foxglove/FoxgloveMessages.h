@@ -58,7 +58,7 @@ struct SpatialPose {
   Point3 position;
   Quaternion orientation;
 
-  /// From mm.
+  /// Converts a pose from mm.
   static SpatialPose of(const Pose3D& pose);
   static constexpr auto fields() {
     return Fields{field<&SpatialPose::position>(), field<&SpatialPose::orientation>()};
@@ -142,7 +142,7 @@ struct SpatialText {
   }
 };
 
-/// Something in space; it stays until another one of its id comes.
+/// An object in space. It stays until another one with the same id is received.
 struct SceneEntity {
   RosTime timestamp{};
   std::string frameId{}, id{};
@@ -274,7 +274,7 @@ struct Log {
   }
 };
 
-/// A transform from mm.
+/// Makes a transform from a pose in mm.
 FrameTransform transformOf(Time time, std::string parent, std::string child, const Pose3D& pose);
 
 /// A drawing on the field or around a robot (mm), in a frame of reference.
@@ -282,13 +282,13 @@ SceneEntity sceneEntity(const Drawing& drawing, Time time, std::string frame);
 /// A drawing on the image.
 ImageAnnotations imageAnnotations(const Drawing& drawing, Time time);
 
-/// The field with lines, goals and flags, as the red team sees it.
+/// The field with lines, goals and flags, in the red team's coordinates.
 SceneEntity fieldEntity(const FieldDimensions& field, Time time, std::string frame);
 
-/// A robot or ball where it truly is.
+/// The true pose of a robot or ball.
 struct TrueBody {
   std::string name;
-  TeamColor team = TeamColor::red;  ///< Of robots.
+  TeamColor team = TeamColor::red;  ///< Team of a robot.
   Pose3D pose{};                    ///< mm, on the field
 };
 SceneEntity robotEntity(const TrueBody& robot, Time time, std::string frame);

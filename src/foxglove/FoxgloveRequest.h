@@ -10,13 +10,13 @@
 
 namespace gt {
 
-/// A channel that a client of the Foxglove WebSocket protocol wants, and the number by which it
-/// knows what comes.
+/// A channel that a client of the Foxglove WebSocket protocol subscribes to, and the client's
+/// number for this subscription.
 struct FoxgloveSubscription {
   std::uint32_t id = 0, channel = 0;
 };
 
-/// What a client of the Foxglove WebSocket protocol sends as text.
+/// A text message of a client of the Foxglove WebSocket protocol.
 struct FoxgloveRequest {
   enum class Kind {
     subscribe,
@@ -36,11 +36,11 @@ struct FoxgloveRequest {
   std::vector<std::uint32_t> ids{};                   ///< Of unsubscribe.
   std::vector<std::string> names{};                   ///< Of parameters.
   std::vector<Parameter> parameters{};                ///< Of setParameters.
-  std::string id{};  ///< By which the client recognizes the answer; may be empty.
+  std::string id{};  ///< Identifies the answer for the client; may be empty.
 };
 
-/// Reads a client's text. Returns an error if it is no such message, or asks for something that the
-/// server has not announced.
+/// Parses a client's text. Returns an error if it is not a valid message, or requests something
+/// that the server has not announced.
 Result<FoxgloveRequest> parseFoxgloveRequest(std::string_view text);
 
 /// A parameter as the protocol has it: its name, and its value, which configuration files write as

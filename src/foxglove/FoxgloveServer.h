@@ -21,27 +21,27 @@ namespace gt {
 struct FoxgloveRequest;
 struct FoxgloveSubscription;
 
-/// Where viewers connect, and which pages of a browser may.
+/// The endpoint for viewers, and the origins of browser pages that may connect.
 struct FoxgloveAccess {
-  /// PORT on the loopback device, or ADDRESS:PORT; port 0 is any that is free. Empty: nowhere.
+  /// PORT on the loopback device, or ADDRESS:PORT; port 0 is any free one. Empty: none.
   std::string endpoint{};
-  /// From which pages may connect that are not from this machine: SCHEME://HOST[:PORT], or file://
-  /// for programs that load their page from the disk.
+  /// Origins of pages that may connect, in addition to those from this machine:
+  /// SCHEME://HOST[:PORT], or file:// for programs that load their page from the disk.
   std::vector<std::string> origins{};
 };
 
-/// Where all truly is, in a simulation.
+/// The true poses of all objects in a simulation.
 struct FoxgloveTruth {
   std::vector<foxglove::TrueBody> robots, balls;
   double ballRadius = 0;  ///< mm
 };
 
-/// What a FoxgloveServer shows.
+/// The robots and data that a FoxgloveServer shows.
 struct FoxgloveSubject {
   Time now;
   FieldDimensions field;
   std::vector<ObservedRobot*> robots{};
-  std::function<FoxgloveTruth()> truth{};    ///< Empty where nothing is simulated.
+  std::function<FoxgloveTruth()> truth{};    ///< Empty if nothing is simulated.
   std::function<void()> parameterChanged{};  ///< Called when a client has changed something.
 };
 
@@ -51,7 +51,7 @@ struct FoxgloveSubject {
 /// subscribed. One thread calls it, and it never waits for a client.
 class FoxgloveServer {
  public:
-  /// `name` is shown by viewers. Returns an error if the endpoint or an origin is none.
+  /// `name` is shown by viewers. Returns an error if the endpoint or an origin is invalid.
   static Result<std::unique_ptr<FoxgloveServer>> open(const FoxgloveAccess& access,
                                                       std::string name);
 
@@ -61,16 +61,16 @@ class FoxgloveServer {
   void update(const FoxgloveSubject& subject);
   /// Forgets all robots, because they are about to be destroyed.
   void forget();
-  /// Sends a text that concerns the whole, such as what a referee says.
+  /// Sends a text that concerns the whole match, such as a decision of the referee.
   void log(const std::string& source, const std::string& text, Severity severity = Severity::note);
 
   std::uint16_t port() const { return server_->port(); }
-  /// Messages that slow clients did not get.
+  /// Number of messages that slow clients did not receive.
   std::uint64_t dropped() const { return server_->dropped() + skipped_; }
-  /// Messages that were encoded for clients, each once, however many clients take it.
+  /// Number of messages encoded for clients; each counts once, for any number of clients.
   std::uint64_t encoded() const { return encoded_; }
   std::size_t viewers() const { return clients_.size(); }
-  /// Who was not let in, and why.
+  /// The refused connections and their reasons.
   std::vector<WebSocketServer::Refusal> refusals() const { return server_->refusals(); }
   /// The same as lines for the user: of each reason one, once.
   std::vector<std::string> takeNews();
@@ -96,7 +96,7 @@ class FoxgloveServer {
     std::vector<Subscriber> subscribers{};
     std::vector<ObservedRobot::Subscription> feeds{};  ///< What robots are asked for.
   };
-  /// What was drawn under a key at one time and is not sent yet.
+  /// The drawings of a key at one time that were not sent yet.
   struct Drawn {
     Drawing drawing;
     Time time;
@@ -175,7 +175,7 @@ class FoxgloveServer {
   void notifyParameters(Robot& robot);
   void followParameters();
 
-  /// Reports the first of several faults, and how many there are.
+  /// Reports the first of several errors, and their number.
   void reportFaults(ClientId client, Severity severity, const std::vector<Error>& faults);
   void sendJson(ClientId client, const Json& json);
   void status(ClientId client, Severity severity, const std::string& text);

@@ -15,14 +15,16 @@ struct WebSocketMessage {
   bool binary = false;
   std::string head{};  ///< Of this client.
   std::shared_ptr<const std::string> body{};
-  /// A message that still waits to be sent is replaced by the next one of the same number, so that
-  /// slow clients get the newest; 0: it is sent even if it waits, or dropped if too much waits.
+  /// A pending message is replaced by a newer one with the same number, so that slow clients
+  /// receive the newest message. 0: never replaced, but dropped if too many bytes are pending and
+  /// the message is droppable.
   std::uint32_t newestOf = 0;
-  bool droppable = true;  ///< A client that does not take what is not droppable is disconnected.
-  bool urgent = false;    ///< Is sent before all that waits and is not.
+  bool droppable = true;  ///< Clients that do not receive messages that are not droppable are
+                          ///< disconnected.
+  bool urgent = false;    ///< Whether it is sent before all pending messages that are not urgent.
 };
 
-/// What waits to be sent to one client.
+/// The messages that are pending for one client.
 class WebSocketOutbox {
  public:
   enum class Outcome { first, waits, dropped, full };

@@ -43,7 +43,7 @@ class WebSocketServer {
   WebSocketServer(const WebSocketServer&) = delete;
   WebSocketServer& operator=(const WebSocketServer&) = delete;
 
-  /// Who was not let in.
+  /// Refused connections of one reason.
   struct Refusal {
     std::string why;    ///< A sentence.
     std::string first;  ///< The address of the first one.
@@ -59,7 +59,8 @@ class WebSocketServer {
   /// Whether the client would get a droppable message. Otherwise nobody has to make one: so much
   /// waits for it that it would be dropped, or of a number an older one still waits.
   bool takes(std::uint64_t client, std::uint32_t newestOf = 0) const;
-  /// Sends a message as soon as the client takes it. A client that is gone is no error.
+  /// Sends a message as soon as the client can receive it. A client that has disconnected is not an
+  /// error.
   void send(std::uint64_t client, WebSocketMessage message);
   /// Messages that were dropped for clients that were too slow, or replaced by newer ones.
   std::uint64_t dropped() const;

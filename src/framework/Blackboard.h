@@ -9,11 +9,11 @@
 
 namespace gt {
 
-/// The representations of one process, one instance of each type. Looked up when modules are bound,
-/// never in a cycle.
+/// The representations of one process, one instance of each type. They are looked up when modules
+/// are bound, not during a cycle.
 class Blackboard {
  public:
-  /// The place of one representation; it stays where it is, its value may be exchanged.
+  /// The place of one representation. Its address does not change; its value may be replaced.
   struct Slot {
     const RepresentationType* type = nullptr;
     std::shared_ptr<void> value;
@@ -26,7 +26,7 @@ class Blackboard {
   }
   void* get(const RepresentationType& type) { return slot(type).value.get(); }
   const Slot& slot(const RepresentationType& type) { return place(type); }
-  /// A value that is this blackboard's alone, to be written: one that was shared is copied.
+  /// Returns a value for writing that only this blackboard uses: a shared value is copied before.
   void* own(const RepresentationType& type) {
     Slot& slot = place(type);
     if (slot.shared) {
@@ -41,14 +41,14 @@ class Blackboard {
     slots_[type.name] = {&type, std::move(value), true};
   }
 
-  /// Takes over the values that another blackboard holds too; both keep those that are shared.
+  /// Copies those values from another blackboard that both have. Shared values stay shared.
   void copyFrom(const Blackboard& other) {
     for (const auto& [name, slot] : other.slots_)
       if (const auto here = slots_.find(name);
           here != slots_.end() && here->second.value != slot.value)
         slot.type->copy(slot.value.get(), own(*slot.type));
   }
-  /// The type of a slot, by name or message id; null if there is none.
+  /// Returns the type of a slot by name or message id; null if there is none.
   const RepresentationType* find(std::string_view name) const {
     const auto slot = slots_.find(name);
     return slot == slots_.end() ? nullptr : slot->second.type;

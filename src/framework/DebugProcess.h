@@ -17,23 +17,23 @@ class DebugProcess : public Process {
 
   /// Connects to one of the robot's processes by its queues.
   void connect(PackageSender& fromProcess, PackageLink& toProcess);
-  /// The same in two halves, for processes in other programs: receives from one more of them; sends
-  /// to all.
+  /// The two halves of connect(), for processes in other programs: addReceiver() receives from one
+  /// more process; sender() sends to all.
   PackageReceiver& addReceiver();
   PackageSender& sender() { return sender_; }
   using Requests = RequestTypes<QueueFillRequest>;
-  /// Fills the queue to the tools in another way; an error if the request makes no sense. Requests
-  /// also come in by message.
+  /// Changes how the queue to the tools is filled. Returns an error if the request is invalid.
+  /// Requests are also accepted as messages.
   Result<void> request(const QueueFillRequest& request);
-  /// What takes messages that a request asks to save (report I: `qfr save`).
+  /// Sets the receiver of the messages that a request asks to save (report I: `qfr save`).
   void onSave(QueueFill::Saver saver) { fill_.onSave(std::move(saver)); }
-  /// Goes on where another one stops: with its messages, and as its queue was asked to be filled.
+  /// Takes over the messages and the queue fill request of another Debug process.
   void adopt(DebugProcess& other);
-  /// What came from the processes since it was last taken.
+  /// Messages of the processes that were not taken yet.
   MessageQueue& toTools() { return toTools_; }
-  /// What shall go to all processes in the next cycle.
+  /// Messages that are sent to all processes in the next cycle.
   MessageQueue& fromTools() { return fromTools_; }
-  /// Carries out what the tools ask of this process, and takes it out of their messages.
+  /// Executes the tools' requests that concern this process, and removes them from the messages.
   void handleRequests();
 
  protected:
@@ -49,8 +49,8 @@ class DebugProcess : public Process {
   MessageQueue toTools_{8 << 20};
   MessageQueue fromTools_;
   MessageQueue out_;
-  /// Knows whether all processes have taken the last queue; not registered, since collecting goes
-  /// on meanwhile.
+  /// Reports whether all processes have taken the last queue. Not registered, because messages must
+  /// be collected in the meantime.
   PackageSender sender_{representation<MessageQueue>(), &out_, true};
 };
 

@@ -25,34 +25,36 @@ struct ParameterDescription {
   }
 };
 
-/// A solution of a task.
+/// A solution of a task, as described to tools.
 struct SolutionDescription {
   std::string name;
   std::vector<std::string> inputs;
   std::vector<ParameterDescription> parameters;
 
   static constexpr auto fields() {
-    return Fields{field<&SolutionDescription::name>(),
-                  field<&SolutionDescription::inputs>("representations it reads"),
-                  field<&SolutionDescription::parameters>()};
+    return Fields{
+        field<&SolutionDescription::name>(),
+        field<&SolutionDescription::inputs>("names of the representations that the solution reads"),
+        field<&SolutionDescription::parameters>()};
   }
 };
 
-/// A task of a process: who can solve it, and who does.
+/// A task of a process with its solutions and the active one.
 struct TaskDescription {
   std::string name, active;
   std::vector<std::string> outputs;
   std::vector<SolutionDescription> solutions;
 
   static constexpr auto fields() {
-    return Fields{field<&TaskDescription::name>(),
-                  field<&TaskDescription::active>("the solution that runs, or disabled"),
-                  field<&TaskDescription::outputs>("representations it provides"),
-                  field<&TaskDescription::solutions>()};
+    return Fields{
+        field<&TaskDescription::name>(),
+        field<&TaskDescription::active>("name of the active solution, or disabled"),
+        field<&TaskDescription::outputs>("names of the representations that the task provides"),
+        field<&TaskDescription::solutions>()};
   }
 };
 
-/// Where a process has a representation from.
+/// Where a process obtains a representation from.
 enum class RepresentationOrigin { provided, received, platform, configuration };
 
 /// A representation of a process.
@@ -64,16 +66,17 @@ struct RepresentationDescription {
 
   static constexpr auto fields() {
     using R = RepresentationDescription;
-    return Fields{field<&R::name>(),
-                  field<&R::origin>(
-                      "a module of the process, another process, the platform, or from the start"),
-                  field<&R::streamed>("whether it can be watched and set"),
-                  field<&R::schema>("id of the schema that its messages have")};
+    return Fields{
+        field<&R::name>(),
+        field<&R::origin>(
+            "source: a module of the process, another process, the platform, or the configuration"),
+        field<&R::streamed>("whether the representation can be watched and set"),
+        field<&R::schema>("id of the schema that its messages have")};
   }
 };
 
-/// All that a tool can ask a process for: its tasks in the order in which they run, with solutions
-/// and parameters (the module graph follows from it), its representations, and its debug keys. The
+/// The description of a process for tools: its tasks in the order of execution, with solutions and
+/// parameters (which determine the module graph), its representations, and its debug keys. The
 /// answer to a DescriptionRequest.
 struct ProcessDescription {
   std::string process;
@@ -88,15 +91,16 @@ struct ProcessDescription {
   }
 };
 
-/// How long the modules of a process took since it started, by the machine's own clock (report
-/// E.7). Two of them tell what was between. Sent to who watches it; see WatchRequest.
+/// The execution times of the modules of a process since it started, by the machine's own clock
+/// (report E.7). The difference of two messages is the time between them. Sent to tools on request;
+/// see WatchRequest.
 struct ModuleTimes {
   std::string process;
   std::vector<Stopwatch> modules;
 
   static constexpr auto fields() {
     return Fields{field<&ModuleTimes::process>(),
-                  field<&ModuleTimes::modules>("in the order in which they run")};
+                  field<&ModuleTimes::modules>("execution times in the order of execution")};
   }
 };
 

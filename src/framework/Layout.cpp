@@ -20,7 +20,7 @@ bool contains(const Types& types, const RepresentationType* type) {
   return std::find(types.begin(), types.end(), type) != types.end();
 }
 
-/// What a task's solutions read in this cycle, over all of them.
+/// All representations that at least one solution of a task reads in this cycle.
 Types inputsOf(const Task& task, PortKind kind) {
   Types types;
   for (const Solution& solution : task.solutions)
@@ -29,8 +29,8 @@ Types inputsOf(const Task& task, PortKind kind) {
   return types;
 }
 
-/// Whether a robot on this platform can go without what nobody provides: no task of any layout
-/// would, and only solutions read it that need not be chosen.
+/// Whether a robot on this platform can do without a representation that is not provided: no task
+/// of any layout provides it, and only solutions that need not be selected read it.
 bool isDispensable(const Task& task, const RepresentationType* type, const SolutionTable& table) {
   const auto reads = [&](const Solution& solution) {
     return std::ranges::any_of(solution.ports, [&](const Port& port) {
@@ -45,7 +45,7 @@ bool isDispensable(const Task& task, const RepresentationType* type, const Solut
          });
 }
 
-/// Where each representation is provided.
+/// The provider of a representation.
 struct Provider {
   std::string process;
   const ProcessLayout::Group* group;
@@ -172,14 +172,15 @@ class Sorter {
   std::vector<const Task*> waiting_;
 };
 
-/// Works out what one process receives.
+/// Computes the inputs of one process.
 class Connector {
  public:
   Connector(const Layout& layout, const ProcessLayout& process, const Providers& providers,
             const Types& platform)
       : layout_{layout}, process_{process}, providers_{providers}, platform_{platform} {}
 
-  /// The type of what starts a cycle or a group; an error if nobody outside the process sends it.
+  /// The type of the trigger of a cycle or a group. Returns an error if it is not sent from outside
+  /// the process.
   Result<const RepresentationType*> trigger(const std::string& name, int line, bool blocking) {
     for (const auto& [type, provider] : providers_)
       if (type->name == name && provider.process != process_.name) return add(type, blocking);
@@ -190,7 +191,7 @@ class Connector {
                  .field = process_.name,
                  .what = "'" + name + "' is sent neither by the platform nor by another process"};
   }
-  /// What a task reads; false if nobody provides it.
+  /// Adds an input of a task; returns false if it is not provided.
   bool input(const RepresentationType* type) {
     const auto provider = providers_.find(type);
     if (provider != providers_.end() && provider->second.process == process_.name) return true;

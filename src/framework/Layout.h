@@ -10,21 +10,23 @@ namespace gt {
 
 /// One process of a layout and the tasks that it solves.
 struct ProcessLayout {
-  /// Tasks that run together; the groups of a process run in the order of the file.
+  /// Tasks that run together. The groups of a process run in the order of the file.
   struct Group {
-    std::string trigger;  ///< Runs only in cycles that this representation is new in, if not empty.
+    std::string trigger;             ///< If not empty, the group only runs in cycles in which this
+                                     ///< representation is new.
     std::vector<std::string> tasks;  ///< In the order of the file.
     std::vector<int> taskLines;
     int line = 0;
   };
   std::string name;
   std::string trigger;            ///< The representation whose arrival starts a cycle.
-  bool collectsMessages = false;  ///< The Debug process: passes message queues on, runs no modules.
+  bool collectsMessages = false;  ///< Whether it is the Debug process, which passes message queues
+                                  ///< on and runs no modules.
   std::vector<Group> groups;
   int line = 0;
 };
 
-/// Which process runs which modules, as a layout file states it (report 2.2.3):
+/// Assigns modules to processes, as defined by a layout file (report 2.2.3):
 ///
 ///     process Cognition on Image
 ///       SensorDataProcessor
@@ -33,10 +35,10 @@ struct ProcessLayout {
 ///       WalkingEngine
 ///     process Debug on messages
 ///
-/// A process begins a cycle when what it is `on` arrives, from the platform or from another
-/// process. A line `on REPRESENTATION` inside a process begins a group of tasks that run only in
-/// the cycles in which that is new, `on cycle` one of tasks that run in each; so one process can
-/// run at two rates. `//` and `#` begin comments.
+/// A process begins a cycle when the representation after `on` arrives from the platform or from
+/// another process. A line `on REPRESENTATION` inside a process begins a group of tasks that run
+/// only in cycles in which that representation is new. A line `on cycle` begins a group of tasks
+/// that run in each cycle. Thus one process can run at two rates. `//` and `#` begin comments.
 struct Layout {
   std::string file;
   std::vector<ProcessLayout> processes;
@@ -45,7 +47,7 @@ struct Layout {
 Result<Layout> parseLayout(std::string_view text, const std::string& file);
 Result<Layout> loadLayout(const std::string& file);
 
-/// A representation that crosses from one process to another; the sender is empty for the platform.
+/// A representation that is sent from one process to another; the sender is empty for the platform.
 struct Connection {
   const RepresentationType* type;
   std::string from;
@@ -53,10 +55,10 @@ struct Connection {
   bool blocking;
 };
 
-/// What follows from a layout and the signatures of all modules: the order inside each process and
-/// what crosses.
+/// The order of the tasks in each process and the connections between processes. Computed from a
+/// layout and the signatures of all modules.
 struct Plan {
-  /// A task in its turn; the trigger is null if it runs in each cycle.
+  /// A task in the order of execution; the trigger is null if it runs in each cycle.
   struct Step {
     const Task* task;
     const RepresentationType* trigger;
@@ -64,17 +66,19 @@ struct Plan {
   struct Process {
     ProcessLayout layout;
     std::vector<Step> order;
-    std::vector<const RepresentationType*> platform;  ///< What the platform sends to it.
-    /// What only another platform would send: solutions that read it cannot be chosen.
+    std::vector<const RepresentationType*> platform;  ///< Representations that the platform sends
+                                                      ///< to it.
+    /// Representations that only another platform sends: solutions that read them cannot be
+    /// selected.
     std::vector<const RepresentationType*> missing;
-    /// What it sends to a tool that names no process; see WatchRequest.
+    /// Representations that it sends to tools that name no process; see WatchRequest.
     std::vector<const RepresentationType*> answersFor;
   };
-  std::string file;  ///< The layout's.
+  std::string file;  ///< Path of the layout file.
   std::vector<Process> processes;
   std::vector<Connection> connections;
 
-  /// Whether some process provides, receives or knows a representation of that name.
+  /// Whether a process provides, receives or knows a representation of that name.
   bool has(std::string_view representation) const;
 };
 

@@ -4,7 +4,7 @@
 
 namespace gt {
 
-/// All that is wrong with a layout's text, where parseLayout and makePlan return the first error.
+/// Returns all errors in a layout's text; parseLayout and makePlan return only the first one.
 Findings checkLayoutText(std::string_view text, const std::string& file, const SolutionTable& table,
                          const std::vector<const RepresentationType*>& platform,
                          const std::vector<const RepresentationType*>& given);

@@ -14,8 +14,8 @@
 
 namespace gt {
 
-/// A representation as it was at the end of the last cycle, for modules that need what later ones
-/// provide.
+/// A representation as it was at the end of the last cycle, for modules that need the output of
+/// modules that run later.
 template <typename T>
 struct Previous {
   const T& value;
@@ -33,7 +33,7 @@ struct Port {
   const RepresentationType* type;
 };
 
-/// What a module may use besides representations.
+/// Services that a module may use besides representations.
 struct ModuleContext {
   Blackboard& blackboard;
   Debug& debug;
@@ -42,8 +42,7 @@ struct ModuleContext {
 
 namespace detail {
 
-/// How a parameter of update() is filled: what is bound once, and what is handed over in each
-/// cycle.
+/// Binds a parameter of update(): the constructor binds it once, and each cycle passes it.
 template <typename A>
 struct Binding {
   static_assert(!std::is_same_v<A, A>,
@@ -61,7 +60,7 @@ struct Binding<const T&> {
   static void list(std::vector<Port>& ports) {
     ports.push_back({PortKind::input, &representation<T>()});
   }
-  const Blackboard::Slot& slot;  ///< Shared configuration may be exchanged for other values.
+  const Blackboard::Slot& slot;  ///< Shared configuration may be replaced by other values.
 };
 
 template <typename T>
@@ -106,7 +105,7 @@ struct Binding<Random&> {
   Random& random;
 };
 
-/// Several inputs in one parameter: a struct of references, whose `Parts` are their types.
+/// Combines several inputs in one parameter: a struct of references, whose `Parts` are their types.
 template <typename T>
 concept Bundle = requires {
   typename T::Parts;
@@ -165,8 +164,8 @@ struct Ports<M> : Signature<decltype(&M::update)> {};
 
 }  // namespace detail
 
-/// Thrown by a module that failed and does not go on: one that a user wrote in another language.
-/// Modules of C++ do not throw. Its process switches to the solution `instead`.
+/// Thrown by a module that failed and cannot continue: one written by a user in another language.
+/// Modules in C++ do not throw. The process switches to the solution `instead`.
 class ModuleFailure : public std::exception {
  public:
   ModuleFailure(std::string why, std::string instead)
@@ -179,25 +178,25 @@ class ModuleFailure : public std::exception {
   std::string why_, instead_;
 };
 
-/// A module as the framework sees it: one solution of a task, bound to the representations of its
+/// A module as seen by the framework: one solution of a task, bound to the representations of its
 /// process.
 class AnyModule {
  public:
   virtual ~AnyModule() = default;
-  /// Runs once. May throw a ModuleFailure only.
+  /// Executes update() once. May only throw a ModuleFailure.
   virtual void run() = 0;
-  /// Reads the parameters from a configuration file's text; an error leaves them as they were.
+  /// Reads the parameters from a configuration file's text. An error leaves them unchanged.
   virtual Findings configure(std::string_view text, std::string_view file) = 0;
   /// Sets one parameter by its path, for instance "gain" or "noise.translation".
   virtual Result<void> set(std::string_view path, std::string_view value) = 0;
   virtual Result<std::string> get(std::string_view path) = 0;
   virtual std::vector<PathInfo> parameters() = 0;
-  /// Resumes from another module of the same class, with its parameters and all that it remembers;
-  /// false if it is of another class.
+  /// Takes over parameters and internal state from another module of the same class. Returns false
+  /// if the class differs.
   virtual bool adopt(AnyModule& other) = 0;
 };
 
-/// Makes a module of a plain class: its ports are the parameters of its update().
+/// Makes a module from a plain class: its ports are the parameters of its update().
 template <typename M, typename Arguments = typename detail::Ports<M>::Arguments>
 class ModuleAdapter;
 

@@ -71,7 +71,7 @@ Result<AnyModule*> ModuleProcess::find(std::string_view task, std::string_view s
                                         : noSuchSolution(*slot->task, solution)};
 }
 
-/// Whether a solution gets all that it reads.
+/// Checks whether all inputs of a solution are available.
 Result<void> ModuleProcess::checkInputs(const Task& task, std::string_view solution) const {
   if (const Solution* chosen = task.find(solution))
     for (const Port& port : chosen->ports)
@@ -141,7 +141,7 @@ Result<void> ModuleProcess::request(const WatchRequest& request) {
                    .what = "it cannot be sent, since it has no fields()"};
     slot = &blackboard_.slot(*type);
   }
-  // What is asked for so many times comes beside what is asked for again and again.
+  // Single requests (times) are stored in addition to permanent ones.
   if (request.mode != DebugKeyMode::times)
     std::erase_if(watched_, [&](const Watched& watched) { return watched.type == type; });
   if (request.mode != DebugKeyMode::disabled)
@@ -200,7 +200,7 @@ Result<void> ModuleProcess::request(const GenericDebugData& data) {
   const auto [task, solution] = taskAndSolution(data.id);
   const auto module = find(task, solution);
   if (!module) return module.error();
-  // As a config file, which is taken as a whole or not at all.
+  // Processed like a config file, which is applied completely or not at all.
   std::string text;
   auto number = data.data.begin();
   for (const PathInfo& parameter : (*module)->parameters()) {
@@ -339,10 +339,10 @@ void ModuleProcess::handle(const Message& message) {
     handlePackage(message);
 }
 
-/// What the process receives as a package may also come as a message: a motion request of a tool, a
-/// message of a teammate that the router brings (report 2.2.2). What its own modules provide lasts
-/// as long as none of them provides it anew, for instance while no BehaviorControl is active
-/// (report I.5.3: mr). Configuration lasts.
+/// A message may replace a package that the process receives: a motion request of a tool, or a
+/// message of a teammate that the router sends (report 2.2.2). An output of the process's own
+/// modules keeps the value until a module provides it again, for instance while no BehaviorControl
+/// is active (report I.5.3: mr). Configuration keeps the value.
 void ModuleProcess::handlePackage(const Message& message) {
   const RepresentationType* type = blackboard_.find(message.id);
   if (!type || !type->decode) return;
@@ -382,7 +382,7 @@ bool ModuleProcess::isDue(const Slot& slot) const {
          });
 }
 
-/// If the active solution fails, that which it names runs instead of it, in the same cycle.
+/// If the active solution fails, the solution that it names runs instead, in the same cycle.
 void ModuleProcess::run(Slot& slot) {
   while (slot.active) {
     try {

@@ -15,21 +15,22 @@ namespace gt {
 /// A process that runs the modules of a layout over its blackboard.
 class ModuleProcess : public Process {
  public:
-  /// The blackboard already holds the configuration; `frameTime` on it is set when a cycle begins.
-  /// Each module gets its own generator, forked by the task's name.
+  /// The blackboard must contain the configuration. `frameTime`, which lies on the blackboard, is
+  /// set at the begin of each cycle. Each module gets its own random number generator, forked by
+  /// the task's name.
   ModuleProcess(const Plan::Process& plan, Blackboard blackboard, Time& frameTime,
                 const Random& random);
 
-  /// The process's end of a connection. The platform or another process connects the two.
+  /// The process's end of a connection, for the platform or another process to connect.
   PackageSender& sender(const RepresentationType& type);
   PackageReceiver& receiver(const RepresentationType& type, bool blocking);
-  /// The queues to and from the Debug process.
+  /// The message queues to and from the Debug process.
   PackageSender& debugSender() { return debugSender_; }
   PackageReceiver& debugReceiver() { return debugReceiver_; }
 
   using Requests = RequestTypes<SolutionRequest, DebugRequest, WatchRequest, ValueRequest,
                                 ParameterRequest, DescriptionRequest, GenericDebugData>;
-  /// Whether a request concerns this process; see Requests.h.
+  /// Whether a request is addressed to this process; see Requests.h.
   bool concerns(const SolutionRequest& request) const { return solves(request.task); }
   bool concerns(const DebugRequest& request) const { return DebugKey::find(request.key); }
   bool concerns(const WatchRequest& request) const;
@@ -37,7 +38,7 @@ class ModuleProcess : public Process {
   bool concerns(const ParameterRequest& request) const { return solves(request.task); }
   bool concerns(const DescriptionRequest& request) const;
   bool concerns(const GenericDebugData& data) const;
-  /// Carries out a request that concerns this process, as it also comes in by message queue.
+  /// Executes a request that concerns this process. Requests are also accepted as messages.
   Result<void> request(const SolutionRequest& request);
   Result<void> request(const DebugRequest& request);
   Result<void> request(const WatchRequest& request);
@@ -49,49 +50,49 @@ class ModuleProcess : public Process {
   Result<void> configure(std::string_view task, std::string_view solution, std::string_view text,
                          const std::string& file);
 
-  /// Carries out messages of the tools at once, between two cycles; what it sends goes to
+  /// Executes messages of the tools immediately, between two cycles. The answers are appended to
   /// `answers`.
   void carryOut(const MessageQueue& messages, MessageQueue& answers);
 
   bool solves(std::string_view task) const;
-  /// The name of the running solution; empty if the process has no such task.
+  /// The name of the active solution; empty if the process has no such task.
   std::string activeSolution(std::string_view task) const;
   /// A parameter as text.
   Result<std::string> parameter(std::string_view task, std::string_view solution,
                                 std::string_view path);
-  /// The same as a value, which is valid until the parameter is set.
+  /// A parameter as a value, which is valid until the parameter is set.
   Result<ConstValue> parameterValue(std::string_view task, std::string_view solution,
                                     std::string_view path);
-  /// Of all tasks, or of one.
+  /// Describes all tasks, or only the given one.
   ProcessDescription describe(std::string_view task = {});
-  /// Carries out messages of the tools that the framework does not know; returns false for those
-  /// that it does not know either.
+  /// Handles messages of the tools that the framework does not know. Returns false for unknown
+  /// ones.
   using Handler = std::function<bool(const Message&)>;
   void onMessage(Handler handler) { handler_ = std::move(handler); }
-  /// Called when tools have set a representation that is not received, or a field of it.
+  /// Called after tools have set a representation that is not received, or a field of it.
   using ChangeHandler = std::function<void(const RepresentationType&)>;
   void onChange(ChangeHandler handler) { changed_ = std::move(handler); }
-  /// The representations that are sent after cycles, and how often.
+  /// The representations that are sent after cycles, with their rates.
   std::vector<WatchRequest> watched() const;
-  /// Whether it has a task that would provide a representation, but is disabled.
+  /// Whether the process has a task that provides the representation, but is disabled.
   bool isDisabled(const RepresentationType& type) const;
-  /// Sets a representation whose task is disabled.
+  /// Sets the output of a disabled task; returns whether the process has such a task.
   bool layIfDisabled(const RepresentationType& type, const void* value);
-  /// Copies what its modules provide to another blackboard, as far as that has it.
+  /// Copies the outputs of its modules to another blackboard, as far as that has them.
   void copyProvided(Blackboard& to);
-  /// Resumes from a process that had some of the same tasks: their modules as they were, what is
-  /// held, and its debug keys.
+  /// Resumes from a process that had some of the same tasks: takes over the state of their modules,
+  /// the held values, and the debug keys.
   void adopt(ModuleProcess& other);
   Blackboard& blackboard() { return blackboard_; }
   Debug& debug() { return debug_; }
-  /// The time that each module has taken, by task, in the order in which they run.
+  /// The execution time of each module, by task, in the order of execution.
   const std::vector<Stopwatch>& times() const { return times_.modules; }
-  /// Answers a message of the tools, for a handler of its own.
+  /// Answers a message of the tools, for use by handlers.
   void answer(const Message& message, const Result<void>& done) {
     send(answerTo(message, name(), done));
   }
   void answerNotConcerned(const Message& message) { send(notConcerned(message, name())); }
-  /// How many processes of the robot answer each request, so that tools know when all have.
+  /// Sets the number of processes that answer each request, so that tools know when all have.
   void answerAsOneOf(std::uint32_t processes) { answering_ = processes; }
 
  protected:
@@ -106,7 +107,7 @@ class ModuleProcess : public Process {
   };
   struct Watched {
     const RepresentationType* type;
-    const Blackboard::Slot* slot;  ///< Null: its ModuleTimes.
+    const Blackboard::Slot* slot;  ///< Null for ModuleTimes.
     DebugKeyState state;
   };
   struct Held {
@@ -123,7 +124,7 @@ class ModuleProcess : public Process {
   void handle(const Message& message);
   void send(RequestAnswer answer);
   void handlePackage(const Message& message);
-  /// Sends what tools asked for and is due: all of it, or what was asked for so many times.
+  /// Sends the watched representations that are due: all, or only those in the mode `times`.
   void sendWatched(bool onlyTimes);
   bool provides(const RepresentationType& type) const;
   RepresentationOrigin originOf(const RepresentationType& type) const;

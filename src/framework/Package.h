@@ -7,25 +7,25 @@ namespace gt {
 
 class Process;
 
-/// The far end of a sender's connection: a receiver in the same program, or a wire to one
-/// elsewhere.
+/// The remote end of a sender's connection: a receiver in the same program, or a connection to one
+/// in another program.
 class PackageLink {
  public:
   virtual ~PackageLink() = default;
-  /// True if the receiver has taken the last package and waits for a new one.
+  /// Whether the receiver has taken the last package and requested a new one.
   virtual bool requested() const = 0;
-  /// True if a package can be handed over: one that was not taken yet will be replaced. False while
-  /// the receiver's process calculates.
+  /// Whether a package can be delivered; it replaces one that was not taken yet. False while the
+  /// receiver's process executes main().
   virtual bool accepts() const = 0;
-  /// False if the receiver is not there at the moment, as its program has ended: nobody waits for
-  /// it.
+  /// False while the receiver is absent, because its program has ended. Senders do not wait for an
+  /// absent receiver.
   virtual bool active() const { return true; }
-  /// Hands a package over. There is no queueing (report 2.2.3.1).
+  /// Delivers a package. There is no queueing (report 2.2.3.1).
   virtual void deliver(const void* package) = 0;
 };
 
-/// Sends a package, which is stored elsewhere, to all receivers it is connected to (report C.3.2).
-/// Packages are not buffered: what is transferred is always the package as it is at that moment.
+/// Sends a package, which is stored elsewhere, to all connected receivers (report C.3.2). Packages
+/// are not buffered: each transfer contains the package as it is at that moment.
 class PackageSender {
  public:
   PackageSender(const RepresentationType& type, const void* package, bool blocking = false)
@@ -34,17 +34,17 @@ class PackageSender {
   PackageSender& operator=(const PackageSender&) = delete;
 
   void connect(PackageLink& link) { links_.push_back({&link}); }
-  /// Transfers the package at once to all receivers that requested it, and marks it as to be sent
-  /// to the others.
+  /// Transfers the package immediately to all receivers that requested it, and marks it as to be
+  /// sent to the others.
   void send();
-  /// Phase 3: transfers the package to the receivers that have not got it yet and accept it now.
+  /// Phase 3: transfers the package to marked receivers that accept it now.
   void sendLater();
-  /// True if at least one receiver requested a new package.
+  /// Whether at least one receiver requested a new package.
   bool requestedNew() const;
-  /// True if the process need not wait for this sender: a blocking one waits until all receivers
-  /// requested.
+  /// Whether the process need not wait for this sender: a blocking sender waits until all receivers
+  /// that are present have requested.
   bool ready() const;
-  /// True if it can start a cycle: it blocks, and somebody is there to request.
+  /// Whether the sender can start a cycle: it blocks, and at least one receiver is present.
   bool triggers() const;
   const RepresentationType& type() const { return *type_; }
 
@@ -60,7 +60,7 @@ class PackageSender {
   std::vector<Link> links_;
 };
 
-/// Receives packages into a place that is stored elsewhere (report C.3.3).
+/// Receives packages into memory that is owned elsewhere (report C.3.3).
 class PackageReceiver : public PackageLink {
  public:
   PackageReceiver(const RepresentationType& type, void* package, bool blocking = false)
@@ -74,25 +74,25 @@ class PackageReceiver : public PackageLink {
     if (package != incoming_.get()) type_->copy(package, incoming_.get());
     arrived_ = true;
   }
-  /// Where the next package arrives. What is written there before it is delivered from there is not
-  /// copied. Valid until the next receive().
+  /// The memory for the next package. A package that is written there and then delivered from there
+  /// is not copied. Valid until the next receive().
   void* place() { return incoming_.get(); }
-  /// Hands over a package as bytes; one that cannot be read is dropped.
+  /// Delivers a package as bytes. A package that cannot be read is dropped.
   Result<void> deliverBytes(std::span<const std::byte> bytes) {
     const auto done = type_->decode(bytes, incoming_.get());
     arrived_ = static_cast<bool>(done);
     return done;
   }
-  /// Phase 1: takes the package that has arrived, if one has.
+  /// Phase 1: takes the arrived package, if any.
   void receive() {
     received_ = arrived_;
     if (arrived_) type_->swap(package_, incoming_.get());
     arrived_ = false;
     busy_ = true;
   }
-  /// Asks for the next package; main() has finished.
+  /// Requests the next package after main() has finished.
   void request() { busy_ = false; }
-  /// True if this cycle began with a new package.
+  /// Whether this cycle began with a new package.
   bool receivedNew() const { return received_; }
   bool ready() const { return !blocking_ || arrived_; }
   bool blocking() const { return blocking_; }
@@ -113,7 +113,7 @@ void registerIn(Process& process, PackageSender& sender);
 void registerIn(Process& process, PackageReceiver& receiver);
 }  // namespace detail
 
-/// A sender of a custom process that is its package: `Sender<NumberPackage> numbers{*this};`
+/// A sender of a custom process that also is its package: `Sender<NumberPackage> numbers{*this};`
 template <typename T>
 class Sender : public T, public PackageSender {
  public:
@@ -123,8 +123,8 @@ class Sender : public T, public PackageSender {
   }
 };
 
-/// A receiver of a custom process that is its package: `Receiver<NumberPackage> numbers{*this,
-/// true};`
+/// A receiver of a custom process that also is its package:
+/// `Receiver<NumberPackage> numbers{*this, true};`
 template <typename T>
 class Receiver : public T, public PackageReceiver {
  public:

@@ -77,7 +77,7 @@ void Process::schedule(int wait, Time end) {
   if (wait >= 0) {
     next_ = end + wait;
   } else {
-    // A cycle that began a little late does not put off all that follow.
+    // A delayed begin of a cycle does not delay the following ones.
     const bool onTime = now_ - next_ < -wait;
     next_ = (onTime ? next_ : now_) + -wait;
   }

@@ -10,14 +10,15 @@
 namespace gt {
 namespace {
 
-/// What tools have asked for once comes in any case.
+/// Answers to single requests are always sent.
 bool isAnswer(const Message& message) {
   return message.is<RequestAnswer>() || message.is<ProcessDescription>() ||
          message.is<ModuleTimes>();
 }
 
-/// Messages of one kind replace each other: those of one type, and of drawings and plots those of
-/// one key, with which their bytes begin. 0 for messages that none replaces.
+/// Messages of the same kind replace each other. Drawings and plots are of the same kind if they
+/// have the same key, with which their bytes begin; other messages, if they have the same type.
+/// Returns 0 for messages that are never replaced.
 std::uint64_t messageKind(const Message& message) {
   if (message.is<DroppedMessages>() || isAnswer(message)) return 0;
   std::uint32_t key = 0;

@@ -8,27 +8,28 @@
 
 namespace gt {
 
-/// How the queue to the tools is filled, by the names of report I. `queue` is what report E.3 calls
-/// immediately, `replace` what it calls real time.
+/// How the queue to the tools is filled, named as in report I. Report E.3 calls `queue`
+/// immediately, and `replace` real time.
 enum class QueueFillMode { queue, replace, reject, collect, save };
 
-/// Asks the Debug process to fill the queue to the tools in another way (report E.3, I: `qfr`).
+/// Asks the Debug process to change how the queue to the tools is filled (report E.3, I: `qfr`).
 struct QueueFillRequest {
   QueueFillMode mode = QueueFillMode::queue;
   double seconds = 0;
 
   static constexpr auto fields() {
-    return Fields{field<&QueueFillRequest::mode>(),
-                  field<&QueueFillRequest::seconds>(Unit::s, "of collect and save", {0, 86400})};
+    return Fields{
+        field<&QueueFillRequest::mode>(),
+        field<&QueueFillRequest::seconds>(Unit::s, "duration of collect and save", {0, 86400})};
   }
 };
 
-/// Keeps the newest messages only (report E.3: real time): a message replaces those of its kind
-/// that are older; a drawing stays whole, though it comes in several messages, and replaces none of
-/// another key.
+/// Keeps the newest messages only (report E.3: real time): a message replaces older ones of its
+/// kind. A drawing that consists of several messages is kept completely, and does not replace
+/// drawings of other keys.
 class NewestMessages {
  public:
-  /// Appends the messages of a queue to another one, which loses what they replace.
+  /// Appends the messages of a queue to another one, from which replaced messages are removed.
   void append(const MessageQueue& messages, MessageQueue& to);
 
  private:
@@ -56,11 +57,11 @@ class QueueFill {
  public:
   using Saver = std::function<void(const MessageQueue&)>;
 
-  /// What takes the messages that were collected to be saved.
+  /// Sets the receiver of the messages that were collected to be saved.
   void onSave(Saver saver) { saver_ = std::move(saver); }
-  /// False if the seconds are none.
+  /// Returns false if the duration is invalid.
   bool request(const QueueFillRequest& request, Time now);
-  /// Ends what was asked for some seconds; to be called before messages are taken.
+  /// Ends a timed request whose time is over. Must be called before messages are taken.
   void update(Time now);
   void take(const MessageQueue& messages, MessageQueue& toTools);
 

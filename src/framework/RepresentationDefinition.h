@@ -9,12 +9,13 @@
 #include "streams/Binary.h"
 #include "streams/Reflection.h"
 
-/// What representation() of a type is made of: for units that describe types of their own.
+/// Defines representation(), for units that describe types of their own.
 namespace gt {
 
 namespace detail {
 
-/// How a type travels on a wire: as CDR, a message queue as it is, others not at all.
+/// The format of a type in transmissions: CDR; a message queue is sent unchanged; other types are
+/// not sent.
 template <typename T>
 struct WireFormat {
   static constexpr std::nullptr_t size = nullptr, write = nullptr, read = nullptr;

@@ -15,8 +15,8 @@ template <typename... Request>
 struct RequestTypes {
   static bool contains(const Message& message) { return (message.is<Request>() || ...); }
 
-  /// Has a part carry out a message. Returns the answer in the name of a process, or nothing if the
-  /// message is no such request.
+  /// Lets a part execute a message. Returns the answer in the name of a process; empty if the
+  /// message is not one of these requests.
   template <typename Part>
   static std::optional<RequestAnswer> carryOut(const Message& message, const std::string& process,
                                                Part& part) {
@@ -27,7 +27,7 @@ struct RequestTypes {
     return answer;
   }
 
-  /// Takes all such requests out of the tools' messages and has a part carry them out, the oldest
+  /// Removes all these requests from the tools' messages and lets a part execute them, the oldest
   /// first. `answer(RequestAnswer)` is called after each. The part may replace the queue meanwhile.
   template <typename Part, typename Answer>
   static void carryOutAll(MessageQueue& fromTools, const std::string& process, Part& part,

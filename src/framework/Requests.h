@@ -7,9 +7,10 @@
 #include "debug/Drawing.h"
 #include "streams/MessageQueue.h"
 
-/// What a tool asks a robot for, by messages: all that can be known of a robot and changed in it
-/// needs nothing else. Requests go to the Debug process, which hands them to all processes; each
-/// process carries out what concerns it, at the beginning of its next cycle, and answers.
+/// Requests of tools to a robot, sent as messages. They cover everything that can be read from and
+/// changed in a robot. Requests are sent to the Debug process, which passes them to all processes.
+/// Each process executes the requests that concern it at the beginning of its next cycle, and
+/// answers.
 ///
 /// | wanted | message | comes back |
 /// | --- | --- | --- |
@@ -23,17 +24,16 @@
 /// | another layout, another behavior | LayoutRequest, BehaviorRequest | |
 /// | how the queue to the tools is filled | QueueFillRequest | |
 ///
-/// Besides, each process answers each request by a RequestAnswer. Who carries out which of them
-/// stands in `ModuleProcess::Requests`, `DebugProcess::Requests` and `Robot::Requests`; a
-/// BehaviorRequest, in the ConfigurationPart of the behavior.
+/// Besides, each process answers each request by a RequestAnswer. The requests that each part
+/// executes are listed in `ModuleProcess::Requests`, `DebugProcess::Requests` and
+/// `Robot::Requests`; that of a BehaviorRequest, in the ConfigurationPart of the behavior.
 namespace gt {
 
-/// What became of a request in a process.
+/// The result of a request in a process.
 enum class RequestOutcome { done, notConcerned, refused };
 
 /// The answer of a process to a message of the tools. Requests are always answered, representations
-/// only if they are refused. A request that concerned no process at all was in vain
-/// (`concernsNobody`).
+/// only if they are refused. A request that concerned no process had no effect (`concernsNobody`).
 struct RequestAnswer {
   std::uint32_t request = 0;
   Time asked;
@@ -47,24 +47,24 @@ struct RequestAnswer {
                   field<&RequestAnswer::asked>(Unit::ms, "time stamp of the request"),
                   field<&RequestAnswer::process>(),
                   field<&RequestAnswer::outcome>(),
-                  field<&RequestAnswer::what>("why it was refused"),
-                  field<&RequestAnswer::of>("how many answers the request gets")};
+                  field<&RequestAnswer::what>("why the request was refused"),
+                  field<&RequestAnswer::of>("number of answers that the request gets")};
   }
 };
 
-/// The answer to a request that was or was not carried out.
+/// Makes the answer to a request that was executed or refused.
 RequestAnswer answerTo(const Message& request, std::string process, const Result<void>& done);
-/// The answer of a process that a request does not concern.
+/// Makes the answer of a process that a request does not concern.
 RequestAnswer notConcerned(const Message& request, std::string process);
 
-/// Asks a robot's processes to solve a task by another solution (report E.6).
+/// Asks a robot's processes to switch a task to another solution (report E.6).
 struct SolutionRequest {
   std::string task;
   std::string solution;
 
   static constexpr auto fields() {
     return Fields{field<&SolutionRequest::task>(),
-                  field<&SolutionRequest::solution>("or disabled")};
+                  field<&SolutionRequest::solution>("name of the solution, or disabled")};
   }
 };
 
@@ -76,13 +76,13 @@ struct DebugRequest {
 
   static constexpr auto fields() {
     return Fields{field<&DebugRequest::key>(), field<&DebugRequest::mode>(),
-                  field<&DebugRequest::n>("times, or ms")};
+                  field<&DebugRequest::n>("number of the mode: times, or ms")};
   }
 };
 
 /// Asks for a representation to be sent after cycles of a process that provides, receives or knows
-/// it: as often as a debug key of that state would be (report E.3). With mode `times` and n = 1 it
-/// is read once.
+/// it. The rate is given by the state of a debug key (report E.3). With mode `times` and n = 1 it
+/// is sent once.
 ///
 /// Without a process the request reaches exactly one in an ordinary robot: the process that
 /// provides the representation. What the platform sends (Image, SensorDataBuffer) comes from the
@@ -97,15 +97,17 @@ struct WatchRequest {
 
   static constexpr auto fields() {
     return Fields{field<&WatchRequest::representation>(),
-                  field<&WatchRequest::process>("empty: whichever provides it"),
-                  field<&WatchRequest::mode>(), field<&WatchRequest::n>("times, or ms")};
+                  field<&WatchRequest::process>(
+                      "name of the process; empty: the one that provides the representation"),
+                  field<&WatchRequest::mode>(),
+                  field<&WatchRequest::n>("number of the mode: times, or ms")};
   }
 };
 
 enum class ValueMode {
   set,     ///< Once, at the beginning of a cycle.
-  hold,    ///< Again whenever it may have changed, until it is released.
-  release  ///< No longer; the empty path releases all fields of a representation.
+  hold,    ///< Set again whenever it may have changed, until released.
+  release  ///< Ends holding; the empty path releases all fields of a representation.
 };
 
 /// Sets a field of a representation in a running robot. It is set where the representation enters
@@ -121,21 +123,22 @@ struct ValueRequest {
   ValueMode mode = ValueMode::set;
 
   static constexpr auto fields() {
-    return Fields{field<&ValueRequest::representation>(),
-                  field<&ValueRequest::path>("of the field, such as translation.x"),
-                  field<&ValueRequest::value>("as in a config file; not read by release"),
-                  field<&ValueRequest::mode>()};
+    return Fields{
+        field<&ValueRequest::representation>(),
+        field<&ValueRequest::path>("path of the field, such as translation.x"),
+        field<&ValueRequest::value>("new value, as in a config file; not read by release"),
+        field<&ValueRequest::mode>()};
   }
 };
 
-/// Regroups a robot's modules to the processes of another layout while it runs.
+/// Redistributes a robot's modules to the processes of another layout while it is running.
 struct LayoutRequest {
   std::string name;
   std::string text;
 
   static constexpr auto fields() {
-    return Fields{field<&LayoutRequest::name>("for messages: the file"),
-                  field<&LayoutRequest::text>("as in a layout file")};
+    return Fields{field<&LayoutRequest::name>("name of the layout file, for messages"),
+                  field<&LayoutRequest::text>("content of the layout file")};
   }
 };
 
@@ -144,8 +147,8 @@ struct DescriptionRequest {
   std::string about;
 
   static constexpr auto fields() {
-    return Fields{field<&DescriptionRequest::about>(
-        "a process, or a task, which is described alone; all if empty")};
+    return Fields{
+        field<&DescriptionRequest::about>("name of the process or task to describe; empty: all")};
   }
 };
 
@@ -158,12 +161,12 @@ struct ParameterRequest {
 
   static constexpr auto fields() {
     return Fields{field<&ParameterRequest::task>(),
-                  field<&ParameterRequest::solution>("empty: the one that runs"),
+                  field<&ParameterRequest::solution>("name of the solution; empty: the active one"),
                   field<&ParameterRequest::path>(), field<&ParameterRequest::value>()};
   }
 };
 
-/// The error of a request that concerned no process of a robot.
+/// The error of a request that no process of a robot is concerned with.
 Error concernsNobody(const SolutionRequest& request);
 Error concernsNobody(const DebugRequest& request);
 Error concernsNobody(const WatchRequest& request);

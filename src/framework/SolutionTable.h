@@ -17,7 +17,7 @@ constexpr bool isOutput =
     std::is_lvalue_reference_v<A> && !std::is_const_v<std::remove_reference_t<A>> &&
     !std::is_same_v<A, Debug&> && !std::is_same_v<A, Random&>;
 
-/// The parameters of update() with the parts of a bundle in its place.
+/// The parameters of update(), with each bundle replaced by its parts.
 template <typename A>
 struct PartsOf {
   using Type = std::tuple<A>;
@@ -30,8 +30,8 @@ template <typename... A>
 auto flattened(std::type_identity<std::tuple<A...>>)
     -> std::type_identity<decltype(std::tuple_cat(std::declval<typename PartsOf<A>::Type>()...))>;
 
-/// Do not compile for a solution whose outputs are not its task's; the compiler's next lines name
-/// the solution and the output.
+/// Do not compile if the outputs of a solution differ from those of its task; the compiler's next
+/// lines name the solution and the output.
 template <typename Solution, typename Output, bool provided>
 struct OutputOfTask {
   static_assert(provided, "a solution must provide every output of its task: this one is missing");
@@ -58,15 +58,15 @@ constexpr bool checkOutputs(std::type_identity<std::tuple<A...>>,
 
 }  // namespace detail
 
-/// One way to solve a task (report E.6).
+/// A solution of a task (report E.6).
 struct Solution {
   std::string name;
   std::vector<Port> ports;
   std::function<std::unique_ptr<AnyModule>(ModuleContext)> make;
-  bool added = false;  ///< At run time, by `SolutionTable::add(task, solution)`.
+  bool added = false;  ///< Whether `SolutionTable::add` added it at run time.
 };
 
-/// One task of the robot's information processing, which modules solve (report 2.2.1).
+/// A task of the robot's information processing, which modules solve (report 2.2.1).
 struct Task {
   std::string name;
   std::vector<const RepresentationType*> outputs;
@@ -96,11 +96,12 @@ class SolutionTable {
          }});
   }
 
-  /// Adds a solution that is known at run time only, or replaces one of its name that was added so.
-  /// An error if there is no such task, the name is taken, or the outputs are not the task's.
+  /// Adds a solution at run time, or replaces one of the same name that was added at run time.
+  /// Returns an error if there is no such task, the name is used by another solution, or the
+  /// outputs are not those of the task.
   Result<void> add(std::string_view task, Solution solution);
 
-  /// Makes a task known; without a solution if another program solves it.
+  /// Adds a task; it has no solution if another program solves it.
   template <typename T>
   Task& addTask() {
     Task& task = tasks_[std::string{typeName<T>()}];

@@ -6,8 +6,8 @@
 
 namespace gt {
 
-/// What messages of a robot report as wrong: texts that are warnings or errors, requests that were
-/// refused, messages for which a queue had no room. A run that is strict fails by each of them.
+/// The problems reported in a robot's messages: texts that are warnings or errors, requests that
+/// were refused, messages for which a queue had no room. Each of them makes a strict run fail.
 Findings warningsIn(const MessageQueue& messages, const std::string& robot);
 
 }  // namespace gt

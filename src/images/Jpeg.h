@@ -12,7 +12,7 @@ namespace gt {
 /// An image of interleaved components of 8 bits, row by row from the top.
 struct RawImage {
   int width = 0, height = 0;
-  int components = 0;  ///< 1 gray, 3 YCbCr, 4 as they stand in the file (CMYK or YCCK).
+  int components = 0;  ///< 1 gray, 3 YCbCr, 4 as stored in the file (CMYK or YCCK).
   std::vector<std::uint8_t> data;
 };
 

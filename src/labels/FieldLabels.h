@@ -24,7 +24,7 @@ struct BoxLabel {
   bool operator==(const BoxLabel&) const = default;
 };
 
-/// What a rectangle is around.
+/// The object that a rectangle encloses.
 struct BoxName {
   enum class Kind { flag, goal, player };
 
@@ -33,31 +33,35 @@ struct BoxName {
   int number = 0;  ///< Players of a team in one image have different numbers.
 
   auto operator<=>(const BoxName&) const = default;
-  /// Such as flag.pinkAboveYellow, goal.skyblue, player.red1.
+  /// For instance flag.pinkAboveYellow, goal.skyblue, player.red1.
   std::string text() const;
   static std::optional<BoxName> parse(std::string_view text);
 };
 
-/// What a person sees of lines, goals, flags and players in one image of a log. Pixels.
+/// A person's labels of lines, goals, flags and players in one image of a log, in pixels.
 struct FieldLabel {
-  std::int64_t time = 0;  ///< ms, to find a label for the wrong log.
-  /// Along the middle of each line; not all of a line need be labeled.
+  std::int64_t time = 0;  ///< Time (ms) of the image, to detect labels of another log.
+  /// Points along the center of each line; a part of a line may be unlabeled.
   std::vector<std::vector<Vector2d>> lines{};
-  std::optional<Vector2d> leftPost{}, rightPost{};  ///< Where the goal's posts meet the ground.
-  std::map<BoxName, BoxLabel> boxes{};              ///< Around all of it, down to the ground.
+  std::optional<Vector2d> leftPost{}, rightPost{};  ///< Points where the goal's posts meet the
+                                                    ///< ground.
+  std::map<BoxName, BoxLabel> boxes{};              ///< Enclose the whole object, down to the
+                                                    ///< ground.
 
   bool operator==(const FieldLabel&) const = default;
 
-  /// How far a point of the image is from the nearest labeled line; infinite if there is none.
+  /// The distance (pixels) of a point in the image from the nearest labeled line; infinite if there
+  /// is none.
   double distance(const Vector2d& point) const;
 };
 
-/// Reads labels from a table with the columns picture, time, what, x, y. What is `none`,
-/// `leftPost`, `rightPost`, `line` with a number, or a box's name; points of the same line are
-/// joined in the file's order, a box has two rows. The name is for errors.
+/// Parses labels from a table with the columns picture, time, what, x, y. The column what contains
+/// `none`, `leftPost`, `rightPost`, `line` with a number, or a box's name. Points of the same line
+/// are connected in the file's order; a box has two rows. The name is used in errors.
 Result<std::map<int, FieldLabel>> parseFieldLabels(std::string_view text, const std::string& name);
 Result<std::map<int, FieldLabel>> readFieldLabels(const std::string& file);
-/// The same table; reading it gives the same labels, bit for bit, but for lines without points.
+/// Formats labels as a table. Reading it yields the same labels, bit for bit, except for lines
+/// without points.
 std::string fieldLabelTable(const std::map<int, FieldLabel>& labels);
 
 }  // namespace gt

@@ -8,16 +8,16 @@
 
 namespace gt {
 
-/// What a person marks in an image, and how.
+/// A kind of label, and the way a person marks it in an image.
 struct LabelTool {
   enum class Kind {
-    ball,      ///< From the middle to the rim.
+    ball,      ///< From center to rim.
     noBall,    ///< Anywhere.
-    line,      ///< Point by point, along its middle.
-    leftPost,  ///< Where it meets the ground.
+    line,      ///< Point by point, along its center.
+    leftPost,  ///< At the point where it meets the ground.
     rightPost,
     box,     ///< From corner to corner.
-    nothing  ///< Nothing of a field can be seen.
+    nothing  ///< Nothing of a field is visible.
   };
 
   std::string name;
@@ -29,26 +29,26 @@ struct LabelTool {
 /// All tools, in the order in which a person chooses from them.
 std::vector<LabelTool> labelTools();
 
-/// Labels that are edited, with undo.
+/// Edits labels, with undo.
 class LabelEditor {
  public:
   const ImageLabels& labels() const { return labels_; }
-  /// Begins with other labels.
+  /// Replaces all labels and clears the undo history.
   void load(ImageLabels labels);
 
-  /// Marks something in an image that was taken at a time (ms); places are pixels. What one image
-  /// has once replaces what it had.
+  /// Marks something in an image that was taken at a time (ms); positions are in pixels. A label
+  /// that an image can have only once replaces the previous one.
   void draw(int picture, std::int64_t time, const LabelTool& tool, const Vector2d& from,
             const Vector2d& to);
-  /// The next point of a line begins another one.
+  /// Ends the line; the next point begins another one.
   void endLine() { lineOf_ = -1; }
-  /// What is labeled in an image: ball, line1, leftPost, flag.pinkAboveYellow, …
+  /// Names of the labels in an image: ball, line1, leftPost, flag.pinkAboveYellow, …
   std::vector<std::string> names(int picture) const;
   void remove(int picture, const std::string& name);
-  /// Takes the last change back, up to a hundred; false if there is none.
+  /// Undoes the last change, up to a hundred. Returns false if there is none.
   bool undo();
 
-  /// Whether anything was changed since the labels were loaded or saved.
+  /// Whether the labels were changed since they were loaded or saved.
   bool changed() const { return changed_; }
   void saved() { changed_ = false; }
 
@@ -57,7 +57,7 @@ class LabelEditor {
 
   ImageLabels labels_;
   std::deque<ImageLabels> before_;
-  int lineOf_ = -1;  ///< The image whose last line goes on.
+  int lineOf_ = -1;  ///< Number of the image whose last line is being continued.
   bool changed_ = false;
 };
 

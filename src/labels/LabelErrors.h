@@ -14,7 +14,7 @@
 
 namespace gt {
 
-/// What a person saw in the images of one log, by the images' numbers.
+/// All labels of one log's images, by image number.
 struct ImageLabels {
   std::map<int, BallLabel> balls;
   std::map<int, FieldLabel> fields;
@@ -23,13 +23,13 @@ struct ImageLabels {
   bool operator==(const ImageLabels&) const = default;
 };
 
-/// The files of labels beside each other, as in tests/real: BASE-labels.csv has the balls,
-/// BASE-field.csv everything else. One of them may be missing when they are read; a set without
-/// balls, or without anything else, has only the other file.
+/// Reads or writes a pair of label files, as in tests/real: BASE-labels.csv contains the balls,
+/// BASE-field.csv all other labels. One of them may be missing when they are read. Only one file is
+/// written if there are no balls, or only balls.
 Result<ImageLabels> readImageLabels(const std::string& base);
 Result<void> writeImageLabels(const std::string& base, const ImageLabels& labels);
 
-/// What vision found in one image.
+/// The percepts of one image.
 struct SeenInImage {
   Time time;
   BallPercept ball;
@@ -39,20 +39,22 @@ struct SeenInImage {
   CameraMatrix matrix;
 };
 
-/// How far from a label something was found.
+/// The deviation of a percept from its label.
 struct LabelError {
   int picture = 0;
   Time time;
-  std::string what;      ///< ball, lines, post, or a box's name.
-  bool labeled = false;  ///< Otherwise it was found where nothing is.
+  std::string what;      ///< ball, lines, post, or name of a box.
+  bool labeled = false;  ///< If false, something was found where nothing is.
   bool found = false;
-  double degrees = 0;   ///< Between label and percept, as seen from the camera, if both are there.
-  double distance = 0;  ///< mm to what is labeled, by the label; 0: not known.
+  double degrees = 0;   ///< Angle between label and percept, as seen from the camera, if both
+                        ///< exist.
+  double distance = 0;  ///< Distance (mm) of the labeled object, computed from the label; 0:
+                        ///< unknown.
 };
 
-/// Compares what was found in an image with its labels; those of another time are passed over. The
-/// ball's distance follows from the label's radius and the ball's (mm), all others from where they
-/// stand on the ground.
+/// Compares the percepts of an image with its labels; labels with another time are skipped. The
+/// distance of the ball is computed from the label's radius and the ball's radius (mm), all other
+/// distances from the objects' positions on the ground.
 std::vector<LabelError> errorsIn(const ImageLabels& labels, int picture, const SeenInImage& seen,
                                  double ballRadius);
 

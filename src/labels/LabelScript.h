@@ -6,9 +6,8 @@
 
 namespace gt {
 
-/// A script of the console that goes to an image of a log, where it was played, and fails if vision
-/// does not find there what is labeled. Places and radius of a ball may be off by a tolerance
-/// (pixels).
+/// A script of the console that goes to an image of a log and fails if vision does not find the
+/// labeled objects in it. The tolerance (pixels) applies to the ball's position and radius.
 std::string scriptOfLabels(const ImageLabels& labels, int picture, const std::string& log,
                            Time played, double tolerance);
 

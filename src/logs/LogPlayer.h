@@ -11,62 +11,64 @@
 
 namespace gt {
 
-/// Plays a log: what was recorded at one time belongs together and is a moment. Time passes by
-/// `pass`; whoever listens to the log plays the moments that are due.
+/// Plays a log. The messages recorded at one time form a moment. Time advances by `pass`; the
+/// listener then plays the moments that are due.
 class LogPlayer {
  public:
-  /// Messages that were recorded at one time.
+  /// The messages recorded at one time.
   struct Moment {
     Time time;
-    std::uint64_t first;  ///< Number of its first message in the log, from 0.
+    std::uint64_t first;  ///< Number of the first message in the log, from 0.
   };
   using Handler = std::function<Result<void>(const McapChannel&, const McapMessage&)>;
 
-  /// Reads the log once, to find its moments. A damaged log is played as far as it is whole; what
-  /// is lost stands in its reader's damage().
+  /// Reads the log once to find its moments. Of a damaged log the undamaged part is played; the
+  /// lost parts are listed by its reader's damage().
   static Result<LogPlayer> open(const std::string& path);
 
   const std::string& path() const { return path_; }
   const McapReader& log() const { return log_; }
-  /// How many messages a channel has.
+  /// Number of messages of a channel.
   std::uint64_t messagesOf(std::uint16_t channel) const;
   const std::vector<Moment>& moments() const { return moments_; }
   std::uint64_t messages() const { return messages_; }
-  /// Of the first and the last moment.
+  /// Times of the first and the last moment.
   Time begin() const { return moments_.front().time; }
   Time end() const { return moments_.back().time; }
 
-  /// The moment that is played next; that behind the last one at the log's end.
+  /// Index of the moment that is played next; one beyond the last moment at the log's end.
   std::size_t position() const { return position_; }
   bool atEnd() const { return position_ == moments_.size(); }
-  /// When the moment was recorded that was played last; the log's begin if none was.
+  /// Recording time of the moment that was played last; the log's begin if there was none.
   Time now() const;
 
   void play() { playing_ = true; }
   void pause() { playing_ = false; }
   bool playing() const { return playing_; }
-  /// How fast the log's time passes; 1 as it was recorded.
+  /// Sets the speed of the log's time relative to real time; 1 as recorded.
   void setSpeed(double speed) { speed_ = speed; }
   double speed() const { return speed_; }
-  /// Whether the log begins anew at its end.
+  /// Sets whether the log starts again at its end.
   void setLoop(bool on) { loop_ = on; }
   bool loop() const { return loop_; }
 
-  /// Goes to a moment, to the first one that is not before a time, or to the one of a message.
+  /// Continues with a moment, with the first moment that is not before a time, or with the moment
+  /// of a message.
   void seek(std::size_t moment);
   void seekTime(Time time);
   void seekMessage(std::uint64_t message);
-  /// Lets the log's time be this one: later moments wait until it has passed.
+  /// Sets the log's time; later moments are due once it has advanced to them.
   void waitFrom(Time time) { passed_ = static_cast<double>(time - begin()); }
-  /// The log's time: all moments up to it are due.
+  /// The log's time: all moments up to this time are due.
   Time time() const { return begin() + static_cast<std::int64_t>(passed_); }
 
-  /// Lets some of the listener's time pass, in ms.
+  /// Advances the time by `ms` of the listener's time.
   void pass(double ms);
-  /// Whether the next moment is due. At the end of a loop it is the first one.
+  /// Whether the next moment is due. At the end of a loop this is the first moment.
   bool due();
-  /// Hands over the messages of the next moment in their order, in any case; false at the end. If
-  /// another program has changed the log, that is its end, and an error once.
+  /// Handles the messages of the next moment in their order, whether or not it is due. Returns
+  /// false at the end. If another program has changed the log, it ends there, and an error is
+  /// returned once.
   Result<bool> next(const Handler& handle);
 
  private:
@@ -83,8 +85,8 @@ class LogPlayer {
   bool playing_ = true;
   bool loop_ = false;
   double speed_ = 1;
-  double passed_ = 0;  ///< Of the log's time up to which all moments are due, ms since its begin.
-  // The message that was read last but not handed over yet, of all in the order of the file.
+  double passed_ = 0;  ///< Log time up to which all moments are due, in ms since the log's begin.
+  // The next message that was read but not handled yet, in the order of the file.
   McapMessage message_;
   std::uint64_t number_ = 0;
   bool hasMessage_ = false;

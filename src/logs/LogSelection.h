@@ -11,55 +11,56 @@
 
 namespace gt {
 
-/// Which messages of a log are meant: those of some topics in a stretch of time.
+/// Selects messages of a log: those of some topics in a time range.
 struct Selection {
-  std::vector<std::string> topics;   ///< All if empty.
-  std::vector<std::string> without;  ///< But not these.
-  std::optional<double> from, to;    ///< Seconds; the end is excluded.
+  std::vector<std::string> topics;   ///< Selected topics; all if empty.
+  std::vector<std::string> without;  ///< Topics that are excluded.
+  std::optional<double> from, to;    ///< Time range, in seconds; the end is excluded.
 
-  /// An error if the log has no such topics, or the times are no stretch of time.
+  /// Returns an error if the log lacks a topic, or the time range is invalid.
   Result<void> check(const McapReader& log, const std::string& path) const;
   bool holds(const McapChannel& channel) const;
   bool holds(std::uint64_t time) const;
-  /// Where a reader can begin: before the first such message.
+  /// Time (ns) at which a reader can start, not after the first selected message.
   std::uint64_t begin() const;
-  /// Calls visit(channel, message) for each such message, in the order of the file, until it
-  /// returns an error. A topic that the log does not have is an error. Appends what is damaged.
+  /// Calls visit(channel, message) for each selected message, in the order of the file, until visit
+  /// returns an error. A topic that the log lacks is an error. Appends errors for damaged parts.
   using Visitor = std::function<Result<void>(const McapChannel&, const McapMessage&)>;
   Result<void> forEach(const std::string& path, const Visitor& visit,
                        std::vector<Error>& damage) const;
-  /// The same with messages as JSON. Channels and messages that cannot be read are left out, and
-  /// reported for each channel once, with the time that is lost.
+  /// Visits the selected messages as JSON. Unreadable channels and messages are skipped, and
+  /// reported once for each channel, with the time range that is lost.
   using JsonVisitor =
       std::function<Result<void>(const McapChannel&, std::uint64_t time, const Json& message)>;
   Result<void> forEachJson(const std::string& path, const JsonVisitor& visit,
                            std::vector<Error>& lost) const;
 };
 
-/// Collects messages that cannot be read, for one error a channel.
+/// Collects unreadable messages, to report one error per channel.
 class LostMessages {
  public:
   void add(const McapChannel& channel, std::uint64_t time, const std::string& why);
-  /// Of how many of a channel it is known so far.
+  /// Number of unreadable messages of a channel so far.
   std::uint64_t of(const McapChannel& channel) const;
   std::vector<Error> errors(const std::string& file) const;
 
  private:
   struct Stretch {
-    std::string topic, why;  ///< Why the first one cannot be read.
+    std::string topic, why;  ///< Error of the first unreadable message.
     std::uint64_t count = 0, first = 0, last = 0;
   };
   std::map<std::uint16_t, Stretch> channels_;
 };
 
-/// Whether a channel's messages are CDR with a schema of ROS 2, as all of ours.
+/// Whether a channel's messages are CDR with a schema of ROS 2, as in all logs of this system.
 bool isRos2(const McapChannel& channel);
 
-/// The definitions of a log's channels, each parsed once.
+/// Caches the parsed definitions of a log's channels.
 class Definitions {
  public:
   explicit Definitions(std::string file) : file_{std::move(file)} {}
-  /// An error if the channel's messages are not CDR with a schema of ROS 2, or that is damaged.
+  /// Returns an error if the channel's messages are not CDR with a schema of ROS 2, or the schema
+  /// is damaged.
   Result<const MessageDefinition*> of(const McapChannel& channel);
 
  private:
@@ -67,7 +68,7 @@ class Definitions {
   std::map<std::uint16_t, MessageDefinition> definitions_;
 };
 
-/// Seconds, as people read them; logs have nanoseconds.
+/// Converts a time of a log (ns) to seconds.
 inline double seconds(std::uint64_t time) {
   return static_cast<double>(time) / 1e9;
 }

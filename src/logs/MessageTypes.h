@@ -7,11 +7,11 @@
 
 namespace gt {
 
-/// The types of all messages that robots and their tools exchange: all representations, requests and
-/// their answers, drawings, plots, texts, times, and what processes report about themselves.
+/// The types of all messages between robots and their tools: all representations, requests and
+/// their answers, drawings, plots, texts, times, and self-descriptions of processes.
 const std::vector<const RepresentationType*>& messageTypes();
 
-/// A type by its message id or by its name; null if it is unknown.
+/// Returns a type by its message id or name; null if it is unknown.
 const RepresentationType* messageType(std::uint32_t id);
 const RepresentationType* messageType(std::string_view name);
 

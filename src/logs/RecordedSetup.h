@@ -9,7 +9,7 @@
 
 namespace gt {
 
-/// A file that makes a robot.
+/// One of the files from which a robot is made.
 struct SetupFile {
   std::string name;  ///< As in config/modules.cfg.
   std::vector<std::uint8_t> content;
@@ -20,9 +20,9 @@ struct SetupFile {
 };
 static_assert(complete<SetupFile>);
 
-/// What makes a robot: who it is, its seed, and the files of its configuration, motions, behavior
-/// and layout. A log keeps it, so that a replay needs nothing but the log. A robot's answer to a
-/// SetupRequest.
+/// The data from which a robot is made: its identity, its random seed, and the files of its
+/// configuration, motions, behavior and layout. A log contains it, so that a replay only needs the
+/// log. A robot's answer to a SetupRequest.
 struct RecordedSetup {
   Player player;
   std::string address;  ///< Hardware address.
@@ -31,14 +31,14 @@ struct RecordedSetup {
   std::vector<SetupFile> files;
 
   static constexpr auto fields() {
-    return Fields{
-        field<&RecordedSetup::player>(),
-        field<&RecordedSetup::address>("the hardware's address"),
-        field<&RecordedSetup::seed>(),
-        field<&RecordedSetup::layout>("the layout file's name"),
-        field<&RecordedSetup::behavior>("the agents file's name"),
-        field<&RecordedSetup::commit>("of the robot's program"),
-        field<&RecordedSetup::files>("config/..., motions/..., behavior/..., robot.layout")};
+    return Fields{field<&RecordedSetup::player>(),
+                  field<&RecordedSetup::address>("hardware address of the robot"),
+                  field<&RecordedSetup::seed>(),
+                  field<&RecordedSetup::layout>("name of the layout file"),
+                  field<&RecordedSetup::behavior>("name of the agents file"),
+                  field<&RecordedSetup::commit>("commit of the robot's program"),
+                  field<&RecordedSetup::files>(
+                      "files of the setup: config/..., motions/..., behavior/..., robot.layout")};
   }
 };
 static_assert(complete<RecordedSetup>);
@@ -48,15 +48,15 @@ struct SetupRequest {
   std::string why;
 
   static constexpr auto fields() {
-    return Fields{field<&SetupRequest::why>("for whoever reads the messages")};
+    return Fields{field<&SetupRequest::why>("reason of the request, for readers of the messages")};
   }
 };
 static_assert(complete<SetupRequest>);
 
-/// Puts a setup into a log: files as attachments, the rest as metadata.
+/// Adds a setup to a log: files as attachments, the rest as metadata.
 void attach(const RecordedSetup& setup, McapWriter& log);
 
-/// The setup that a log holds; an error if it does not hold one, or a damaged one.
+/// The setup in a log. Returns an error if there is none, or it is damaged.
 Result<RecordedSetup> recordedSetup(const McapReader& log, const std::string& file);
 
 }  // namespace gt

@@ -14,10 +14,10 @@
 
 namespace gt {
 
-/// Begins the topics of what the platform sent to the robot.
+/// Prefix of the topics of packages that the platform sent to the robot.
 constexpr const char* inputTopic = "/input/";
-/// The debug key under which a behavior sends what it decides and why (BehaviorTrace); on wherever
-/// a log is recorded.
+/// The debug key under which a behavior sends its decisions and their causes (BehaviorTrace). It is
+/// switched on wherever a log is recorded.
 constexpr const char* traceKey = "BehaviorControl/trace";
 
 /// A camera image without its pixels, in logs that do not hold them.
@@ -31,47 +31,47 @@ struct ImageHeader {
 };
 static_assert(complete<ImageHeader>);
 
-/// A camera image as JPEG, in the form that viewers know.
+/// Compresses a camera image as JPEG, in the form that viewers can read.
 CompressedImage compressed(const Image& image);
 
-/// The name of a log that is not there yet: BASE.mcap, or with the next number BASE.2.mcap.
+/// The name of a log that does not exist yet: BASE.mcap, or with the next number BASE.2.mcap.
 std::string freeLogFile(const std::string& base);
 
-/// The one writer of robots' logs (MCAP): matches, robots' programs, tools and replays record with
-/// it. Each type of message has a channel: /RobotPose, /Drawing; what the platform sent to the
-/// robot has /input/NAME, so that a replay sends the same again.
+/// Writes robots' logs (MCAP). Matches, robots' programs, tools and replays all use it. Each type
+/// of message has a channel, such as /RobotPose or /Drawing. Packages that the platform sent to the
+/// robot have /input/NAME, so that a replay can send them again.
 class RobotLog {
  public:
-  /// `about` becomes the log's metadata.
+  /// `about` is written as the log's metadata.
   static Result<RobotLog> open(const std::string& path, const McapWriter::Metadata& about);
 
-  /// Messages of these types come from the platform; of all others, from the robot.
+  /// Sets the types of messages that come from the platform; all others come from the robot.
   void setInputs(const std::set<std::string, std::less<>>& names);
-  /// Whether images from the platform are written whole (by default), or as an ImageHeader: then
-  /// what the robot saw in them has to be recorded beside it.
+  /// Sets whether images from the platform are written completely (default), or as an ImageHeader.
+  /// In the latter case the percepts of the images must be recorded, too.
   void keepPixels(bool on) { pixels_ = on; }
 
-  /// Writes messages of all known types (messageTypes); others are passed over.
+  /// Writes messages of all known types (messageTypes); others are ignored.
   void write(const MessageQueue& queue);
   void write(const Message& message);
-  /// A value that nobody has sent, such as what only the simulator knows.
+  /// Writes a value that no process sends, such as ground truth of the simulator.
   template <typename T>
   void write(Time now, const T& value) {
     file_.write(channel(representation<T>()), now, value);
   }
-  /// A camera image as JPEG: /camera.
+  /// Writes a camera image as JPEG: /camera.
   void write(const Image& image);
-  /// What the platform sends to the robot before it steps at that time.
+  /// Writes a package that the platform sends to the robot before its step at this time.
   void writeInput(Time now, const RepresentationType& type, const void* package);
   template <typename T>
   void writeInput(Time now, const T& package) {
     writeInput(now, representation<T>(), &package);
   }
-  /// Makes all that was written readable, however the program ends. After an error nothing more is
-  /// written.
+  /// Makes everything written so far readable, however the program ends. After an error nothing
+  /// more is written.
   Result<void> flush() { return file_.flush(); }
   Result<void> close() { return file_.close(); }
-  /// The first error since open(), once.
+  /// Returns the first error since open(), only once.
   std::optional<Error> takeError() { return file_.takeError(); }
   std::uint64_t messages() const { return messages_; }
 
@@ -92,7 +92,7 @@ class RobotLog {
   std::vector<std::byte> bytes_;
 };
 
-/// Saves the messages of a queue as a log, BASE.saved.mcap or with the next number. Returns the
+/// Writes the messages of a queue to a log, BASE.saved.mcap or with the next number. Returns the
 /// file's name.
 Result<std::string> saveQueue(const MessageQueue& queue, const std::string& base);
 

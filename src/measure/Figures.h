@@ -11,7 +11,7 @@
 
 namespace gt {
 
-/// What a figure should be at most or at least.
+/// The upper or lower limit that a figure should meet.
 struct Aim {
   enum class Kind { none, atMost, atLeast };
   Kind kind = Kind::none;
@@ -26,7 +26,7 @@ struct Aim {
 };
 static_assert(complete<Aim>);
 
-/// A measured figure: the mean over its runs (seeds or repetitions), and how these spread.
+/// A measured figure: the mean over its runs (seeds or repetitions), and their distribution.
 struct Figure {
   std::string name, unit;
   double value = 0;
@@ -41,23 +41,23 @@ struct Figure {
 /// Measured figures, each with one stable name whose first word is its group.
 class Figures {
  public:
-  /// Adds a figure of which each run gave one value. Without runs nothing is added. `seeds` are
-  /// those of the runs, if these have seeds.
+  /// Adds a figure with one value for each run. Without runs nothing is added. `seeds` are those of
+  /// the runs, if they have seeds.
   void add(std::string name, std::string unit, const std::vector<double>& runs, Aim aim = {},
            const std::vector<std::uint64_t>& seeds = {});
   /// Adds the ratio of a figure to another one, if both were added before.
   void addRatio(std::string name, std::string_view figure, std::string_view to, Aim aim = {});
 
   const std::vector<Figure>& all() const { return figures_; }
-  /// Null if there is no figure of that name.
+  /// Returns the figure with a name; null if there is none.
   const Figure* find(std::string_view name) const;
 
-  /// Prints a table. Behind the lowest and the highest value stand the seeds that gave them.
+  /// Prints a table. The lowest and the highest value are followed by the seeds that caused them.
   void print() const;
-  /// An array of objects: name, value, unit, n, low, high, median, p95, runs; where there is an
-  /// aim, also aim and met; where there are seeds, also lowSeed and highSeed.
+  /// A JSON array of objects: name, value, unit, n, low, high, median, p95, runs; if there is an
+  /// aim, also aim and met; if there are seeds, also lowSeed and highSeed.
   std::string json() const;
-  /// Writes `json` to a file, whose folder is made if it is missing.
+  /// Writes `json` to a file; creates its folder if necessary.
   Result<void> write(const std::string& path) const;
 
  private:

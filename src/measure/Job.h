@@ -10,33 +10,33 @@
 
 namespace gt {
 
-/// A measurement to be done: an experiment with its parameters, on a seed, by the program built
-/// from a commit. As text it is one line, the same for the same job:
+/// A measurement to be executed: an experiment with its parameters, on a seed, by the program built
+/// from a commit. Its text is one line, which is unique for a job:
 ///
 ///     match minutes=10 seed=7 commit=9ce66a20c3f1
 struct Job {
   std::string experiment;
   std::map<std::string, std::string> parameters;
   std::uint64_t seed = 1;
-  std::string commit;  ///< Empty: of any commit.
+  std::string commit;  ///< Empty: any commit.
 
   std::string text() const;
-  /// The parameter of that name, which the job must have; jobs of `completed` have all.
+  /// The parameter with a name, which must exist; jobs returned by `completed` have all parameters.
   const std::string& parameter(const std::string& name) const { return parameters.at(name); }
   bool flag(const std::string& name) const { return parameter(name) == "true"; }
   double number(const std::string& name) const;
 
-  /// By experiment, parameters and seed.
+  /// Orders jobs by experiment, parameters and seed.
   auto operator<=>(const Job&) const = default;
 };
 
-/// Reads a job from a line of text; `seed` and `commit` may be missing.
+/// Parses a job from a line of text; `seed` and `commit` are optional.
 Result<Job> parseJob(std::string_view line);
-/// Reads a list of jobs; empty lines and lines that begin with # are passed over. Errors name the
+/// Parses a list of jobs; empty lines and lines that begin with # are skipped. Errors state the
 /// line.
 Result<std::vector<Job>> parseJobs(std::string_view text, const std::string& sourceName);
 
-/// What a job measured: the raw values of one run by the names of their figures.
+/// The result of a job: the raw values of one run by the names of their figures.
 struct Measurement {
   struct Value {
     std::string name, unit;
@@ -59,7 +59,7 @@ struct Measurement {
 };
 static_assert(complete<Measurement::Value>);
 
-/// A job that was done, and what it measured. As text it is one line of JSON.
+/// An executed job and its measurement. Its text is one line of JSON.
 struct JobResult {
   Job job;
   Measurement measurement;

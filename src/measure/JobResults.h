@@ -10,15 +10,16 @@
 
 namespace gt {
 
-/// Appends results to a file, one line each. Each line is written at once, so that several
-/// programs may write to one file, and a program that is killed loses the jobs under way only.
+/// Appends results to a file, one line each. Each line is written at once, so that several programs
+/// may write to the same file, and a program that is killed loses only unfinished jobs.
 class JobResultWriter {
  public:
-  /// Begins a new line if the last one is not whole. An empty path is the standard output.
+  /// Opens the file. Starts a new line if the last one is incomplete. An empty path is the standard
+  /// output.
   static Result<JobResultWriter> open(const std::string& path);
-  /// May be called by several threads.
+  /// Writes a result. Thread-safe.
   Result<void> write(const JobResult& result);
-  /// Waits until the line under way is written. Nothing is written any more.
+  /// Waits until the present line is written. Later results are not written.
   void close();
 
  private:
@@ -27,23 +28,23 @@ class JobResultWriter {
   FileDescriptor file_;
 };
 
-/// Results that were read, and what was wrong with the lines that were dropped.
+/// The results read from files, and the problems of dropped lines.
 struct JobResults {
   std::vector<JobResult> results;
   std::vector<Error> warnings;
 
-  /// Adds those of a file. Lines that are not whole are dropped with a warning. A file that is
-  /// missing or cannot be read is an error.
+  /// Adds the results of a file. Incomplete lines are dropped with a warning. A file that is
+  /// missing or unreadable is an error.
   Result<void> read(const std::string& path);
 };
 
-/// Merges the results of jobs, in whatever order they come, to figures in the order of their names,
-/// each with its runs in the order of the seeds. A job that was done twice counts once; if its
-/// results differ, the first in the order of their text counts, with a warning. It is an error if
-/// the results are of several commits, or a figure was measured with different parameters.
+/// Merges the results of jobs, in any order, to figures in the order of their names, each with its
+/// runs in the order of the seeds. A job that was executed twice is counted once; if its results
+/// differ, the first one in the order of their text is used, with a warning. Results of several
+/// commits, or a figure that was measured with different parameters, are an error.
 Result<Figures> merge(JobResults& results);
 
-/// The jobs of a list of which there is no result.
+/// The jobs of a list that have no result.
 std::vector<Job> missingJobs(const std::vector<Job>& jobs, const std::vector<JobResult>& results);
 
 }  // namespace gt

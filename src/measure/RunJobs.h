@@ -6,25 +6,26 @@
 
 namespace gt {
 
-/// How jobs are done.
+/// Options for executing jobs.
 struct RunOptions {
   unsigned threads = 1;
-  /// If given, is called before each job, by several threads. Its error is the job's.
+  /// If set, called before each job, by several threads. If it returns an error, the job fails.
   std::function<Result<void>(const Job&)> ready;
-  /// Is called, by one thread at a time, when a job was done or failed.
+  /// Called when a job was finished or failed, by one thread at a time.
   std::function<void(const Job&, const Result<void>&)> report;
 };
 
-/// An error if a job asks for another commit, or for other files of the project: `commit` may be
-/// COMMIT+FINGERPRINT, and a job without a fingerprint asks for any files.
+/// Returns an error if a job requires another commit, or other files of the project: `commit` may
+/// be COMMIT+FINGERPRINT, and a job without a fingerprint accepts any files.
 Result<void> checkCommit(const Job& job, const std::string& commit);
 
-/// Does one job that is `completed`. An exception that leaves the experiment becomes its error.
+/// Executes one job that is `completed`. An exception that is thrown by the experiment becomes an
+/// error.
 Result<JobResult> measureJob(const Job& job, const Experiments& experiments, const DataRoot& root);
 
-/// Does jobs that are `completed`, several at once; those that must be alone come last. Each result
-/// is written as soon as its job is done. A job that fails does not keep the others from being
-/// done. Returns how many failed, or the error that kept results from being written.
+/// Executes jobs that are `completed`, several in parallel; jobs that must run alone are last. Each
+/// result is written as soon as its job is finished. The other jobs continue if a job fails.
+/// Returns the number of failed jobs, or the error that prevented writing results.
 Result<int> runJobs(const std::vector<Job>& jobs, const Experiments& experiments,
                     const DataRoot& root, JobResultWriter& writer, const RunOptions& options);
 

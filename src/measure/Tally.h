@@ -15,25 +15,25 @@ struct SummaryValue {
   double value;
 };
 
-/// What is reported of the sizes of errors: their mean, median, 95th percentile and worst case, so
-/// that none of them stands alone. All 0 of none.
+/// The mean, median, 95th percentile and worst case of the absolute values of errors, which are
+/// always reported together. All are 0 if there are no errors.
 std::array<SummaryValue, 4> summaryOf(const std::vector<double>& sizes);
 
-/// What one run counted and measured, by name.
+/// Counts and measurements of one run, by name.
 class Tally {
  public:
-  /// How often something was right of how often it was asked.
+  /// Number of successes among a number of trials.
   struct Rate {
     int hits = 0, all = 0;
 
     double percent() const { return 100.0 * hits / all; }
   };
-  /// Errors of one kind; they have a sign.
+  /// Signed errors of one kind.
   struct Errors {
     std::string unit;
     std::vector<double> values;
 
-    /// The mean of the errors with their signs.
+    /// Mean of the signed errors.
     double bias() const { return gt::mean(values); }
     std::vector<double> sizes() const {
       std::vector<double> sizes;

@@ -7,14 +7,14 @@
 
 namespace gt {
 
-/// Where a program listens, or whom it is connected with: an address and a port of TCP or UDP.
+/// The address and port on which a program listens, or to which it connects, by TCP or UDP.
 struct Endpoint {
   std::string address = "127.0.0.1";
-  std::uint16_t port = 0;  ///< To listen on: 0 is any that is free.
+  std::uint16_t port = 0;  ///< 0: listen on any free port.
 };
 
-/// Reads PORT, on the loopback device, or ADDRESS:PORT; an address of IPv6 stands in brackets.
-/// Whether the address is one is not looked at.
+/// Parses PORT, on the loopback device, or ADDRESS:PORT; an address of IPv6 is in brackets. The
+/// validity of the address is not checked.
 Result<Endpoint> parseEndpoint(std::string_view text);
 
 }  // namespace gt

@@ -6,8 +6,8 @@
 
 namespace gt {
 
-/// Who may connect to whom beyond this machine (ZeroMQ CURVE): a listener lets in only who holds
-/// the client's secret key, and proves itself by its own. Read from a key file.
+/// Keys for connections with other machines (ZeroMQ CURVE): a listener only accepts clients that
+/// own the client's secret key, and authenticates itself by its own key. Read from a key file.
 struct Keys {
   std::string serverPublic;
   std::string serverSecret;
@@ -15,19 +15,19 @@ struct Keys {
   std::string clientSecret;
 
   static constexpr auto fields() {
-    return Fields{field<&Keys::serverPublic>("of who listens"),
-                  field<&Keys::serverSecret>("needed to listen"),
-                  field<&Keys::clientPublic>("of who connects"),
-                  field<&Keys::clientSecret>("needed to connect")};
+    return Fields{field<&Keys::serverPublic>("public key of the listener"),
+                  field<&Keys::serverSecret>("secret key of the listener, required to listen"),
+                  field<&Keys::clientPublic>("public key of the client"),
+                  field<&Keys::clientSecret>("secret key of the client, required to connect")};
   }
   bool canListen() const { return !serverSecret.empty() && !clientPublic.empty(); }
   bool canConnect() const { return !clientSecret.empty() && !serverPublic.empty(); }
 };
 
-/// Writes a new pair of files into a folder, readable for the user alone: `robot.key` for who
-/// listens (robots, router), `tool.key` for who connects. Files that exist are not replaced.
+/// Writes a new pair of files into a folder, readable by the user only: `robot.key` for listeners
+/// (robots, router), `tool.key` for clients. Existing files are not replaced.
 Result<void> makeKeys(const std::string& folder);
-/// Reads a key file; an error if a key is no key.
+/// Reads a key file. Returns an error if a key is invalid.
 Result<Keys> loadKeys(const std::string& file);
 
 }  // namespace gt

@@ -12,11 +12,11 @@
 
 namespace gt {
 
-/// A connection with another program on this machine. Small frames pass through a Unix socket; of
-/// large ones only a notice does, the package lies in memory that both see (SharedSlot.h). All ends
-/// with the connection, however a program ends. What a peer costs is bounded without a guard as
-/// ZeroMQ needs it: a message is one datagram and has an end, the operating system lets few wait,
-/// and the memory of slots is the peer's.
+/// A connection with another program on this machine. Small frames are sent through a Unix socket.
+/// For a large frame only a notice is sent, and the package is passed in shared memory
+/// (SharedSlot.h). All resources end with the connection, however a program ends. Unlike ZeroMQ, it
+/// needs no guard against malicious peers: a message is one datagram of limited size, the operating
+/// system limits how many wait, and the memory of slots belongs to the peer.
 class LocalConnection {
  public:
   LocalConnection(FileDescriptor socket, const SocketLimits& limits);
@@ -24,26 +24,27 @@ class LocalConnection {
   LocalConnection(const LocalConnection&) = delete;
   LocalConnection& operator=(const LocalConnection&) = delete;
 
-  /// What came in; `skipped` is a message that is no frame but right, or a package that a newer one
-  /// has replaced.
+  /// The result of receive(). skipped: a valid message that is not a frame, or a package that a
+  /// newer one has replaced; garbage: an invalid message.
   enum class Outcome { nothing, frame, skipped, garbage, closed };
-  /// The next frame; views into the connection's memory until the next one.
+  /// Receives the next frame. It refers to the connection's memory and is valid until the next
+  /// call.
   Outcome receive(Frame& frame);
-  /// False if it was dropped.
+  /// Sends a frame. Returns false if it was dropped.
   bool send(const Frame& frame, const RepresentationType& type, const void* value);
-  /// The first message: who one is.
+  /// Sends the first message, which contains the own name.
   bool greet(std::string_view name);
 
   const FileDescriptor& socket() const { return socket_; }
-  /// Of the peer; nothing until it greeted.
+  /// Name of the peer; empty until it has greeted.
   const std::optional<std::string>& name() const { return name_; }
   void rename(std::string name) { name_ = std::move(name); }
 
  private:
   struct OutSlot {
-    std::uint64_t place;  ///< Of a type and a receiver.
+    std::uint64_t place;  ///< Identifies type and receiver.
     SlotWriter slot;
-    bool known;  ///< To the reader.
+    bool known;  ///< Whether the reader knows the slot.
   };
   struct InSlot {
     std::uint64_t place;
@@ -68,11 +69,11 @@ class LocalConnection {
   std::unique_ptr<Batch> batch_;
 };
 
-/// Whether a program listens on a path, as LocalSocket does.
+/// Whether a program listens on a path in the way LocalSocket does.
 bool somebodyListens(const std::string& path);
 
-/// A socket within this machine, for endpoints as ipc://PATH. Only programs of the same user (or
-/// the administrator's) are let in.
+/// A socket on this machine, for endpoints of the form ipc://PATH. Only programs of the same user
+/// or of the administrator may connect.
 class LocalSocket : public Socket {
  public:
   static Result<std::unique_ptr<Socket>> listen(const Network& network, const std::string& path,
@@ -100,12 +101,12 @@ class LocalSocket : public Socket {
 
   std::string path_, name_;
   SocketLimits limits_;
-  FileDescriptor events_;  ///< Readable whenever one of the others is.
+  FileDescriptor events_;  ///< Readable when at least one of the other descriptors is.
   FileDescriptor listening_;
   std::vector<std::unique_ptr<LocalConnection>> connections_;
-  std::size_t turn_ = 0;  ///< Whose is next, so that nobody keeps others from being heard.
+  std::size_t turn_ = 0;  ///< Connection to be served next, so that all are served in turn.
   std::uint64_t strangers_ = 0;
-  std::int64_t tried_ = -1;   ///< When it looked for who is there.
+  std::int64_t tried_ = -1;   ///< Time of the last attempt to accept or to connect.
   std::int64_t failed_ = -1;  ///< When it could not let in who is there; -1 if it could.
 };
 

@@ -9,25 +9,26 @@
 
 namespace gt {
 
-/// Exchanges queues of messages with one other program over a connected stream socket: in order and
-/// without loss, for programs that take turns. A queue is its size (32 bits, little endian) and its
-/// bytes. The other program may be built from another version: each introduces itself, and messages
-/// are then read as `Interpreter` reads them.
+/// Exchanges message queues with one other program over a connected stream socket: in order and
+/// without loss, for programs that alternate. A queue is sent as its size (32 bits, little endian)
+/// and its bytes. The other program may be built from another version: both programs first send
+/// their schemas, and messages are then converted by `Interpreter`.
 class QueueStream {
  public:
   using Milliseconds = std::chrono::milliseconds;
 
-  /// `own` must outlive the stream. Sending and receiving take at most so long; without a limit
-  /// they wait for the other program. Larger queues than `capacity` are an error.
+  /// `own` must outlive the stream. Sending and receiving return an error after the time limit;
+  /// without a limit they wait for the other program. Queues larger than `capacity` (bytes) are an
+  /// error.
   QueueStream(FileDescriptor socket, const Vocabulary& own, std::size_t capacity,
               std::optional<Milliseconds> patience = {});
 
-  /// Sends a queue, behind this program's schemas.
+  /// Sends a queue, preceded by this program's schemas.
   Result<void> introduce(const MessageQueue& messages);
-  /// An error if the other program has ended, or does not read in time.
+  /// Sends a queue. Returns an error if the other program has ended, or does not read in time.
   Result<void> send(const MessageQueue& messages);
-  /// Waits for the next queue. Returns false if the other program has closed the connection. An
-  /// error if nothing comes in time, or what comes is no queue.
+  /// Waits for the next queue. Returns false if the other program has closed the connection, and an
+  /// error if no valid queue arrives in time.
   Result<bool> receive(MessageQueue& messages);
 
  private:
@@ -41,8 +42,8 @@ class QueueStream {
   std::optional<Milliseconds> patience_;
   Interpreter interpreter_;
   MessageQueue raw_;
-  std::vector<std::byte> bytes_;  ///< That came in and were not used yet, and room for more.
-  std::size_t size_ = 0;          ///< Of what came in.
+  std::vector<std::byte> bytes_;  ///< Received bytes that were not used yet, and free space.
+  std::size_t size_ = 0;          ///< Number of received bytes.
 };
 
 }  // namespace gt

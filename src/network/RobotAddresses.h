@@ -6,30 +6,32 @@
 
 namespace gt {
 
-/// Under which names a robot's processes are found: on one machine as `ROBOT.PROCESS` in a folder
-/// that belongs to the user alone, elsewhere where one is given.
+/// The endpoints of a robot's processes: on one machine the socket `ROBOT.PROCESS` in a folder that
+/// belongs to the user alone, otherwise the given endpoint.
 struct RobotAddresses {
   std::string folder;
   std::string robot = "robot";
-  std::map<std::string, std::string> elsewhere;  ///< Endpoints by process: tcp://10.0.1.100:5001
+  std::map<std::string, std::string> elsewhere;  ///< Endpoints of processes on other machines:
+                                                 ///< tcp://10.0.1.100:5001
 
   /// The endpoint on which a process listens.
   std::string endpoint(const std::string& process) const;
 };
 
-/// What the other processes know a robot's hardware by, or who takes its place.
+/// The name by which the other processes know a robot's hardware, or its substitute.
 constexpr const char* platformProcess = "Platform";
 
-/// Whether a text can be an endpoint: tcp://HOST:PORT or ipc://PATH.
+/// Checks whether a text has the form of an endpoint: tcp://HOST:PORT or ipc://PATH.
 Result<void> checkEndpoint(const std::string& endpoint);
 
-/// The hardware address of this machine's first network interface, as robot.cfg has it
+/// The hardware address of this machine's first network interface, in the format of robot.cfg
 /// (00022D1F626B); empty if there is none.
 std::string machineAddress();
 
 /// The folder for the sockets of this user's robots: $XDG_RUNTIME_DIR/gt2003, or one in /tmp.
 std::string defaultSocketFolder();
-/// Makes a folder that nobody else can look into; an error if it is there and others can.
+/// Makes a folder that other users cannot access. Returns an error if it exists and other users
+/// can.
 Result<void> makePrivateFolder(const std::string& folder);
 
 }  // namespace gt

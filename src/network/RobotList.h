@@ -10,27 +10,29 @@
 
 namespace gt {
 
-/// The robots that a router serves, by the words of its command line (report 5.3): `10.0.1.100`, or
-/// `10.0.1 100 101 102` for several of a subnet, or `NAME=ENDPOINT`; and those that it finds by
-/// itself, by `10.0.1 auto` in a subnet, by `auto` alone on this machine.
+/// The robots that a router serves, as given by the words of its command line (report 5.3):
+/// `10.0.1.100`, or `10.0.1 100 101 102` for several robots of a subnet, or `NAME=ENDPOINT`. The
+/// router searches for further robots in a subnet for `10.0.1 auto`, and on this machine for
+/// `auto`.
 class RobotList {
  public:
-  /// Where robots and the router listen.
+  /// Addresses on which robots and the router listen.
   struct Places {
     std::string listen = "127.0.0.1";  ///< Address of the router.
-    int port = 15000;                  ///< Of robots with an address; see toolsOf().
+    int port = 15000;                  ///< Port of robots that are given by address; see toolsOf().
     std::string sockets;               ///< Folder of the sockets of this machine's robots.
   };
 
   static Result<RobotList> parse(const std::vector<std::string>& words, const Places& places);
 
-  /// Those that have been named or found. The first four named are the team A, the next the team B;
-  /// of those found, whose names (or addresses) differ in the last digit only are teammates.
+  /// The robots that were given or found. The first four given robots are team A, the next ones
+  /// team B. Found robots are teammates if their names (or addresses) differ in the last digit
+  /// only.
   const std::vector<RoutedRobot>& robots() const { return robots_; }
   /// Whether robots are searched for.
   bool searches() const { return here_ || !subnets_.empty(); }
-  /// Appends the robots that were found since this was called last; returns how many. To be called
-  /// often, never waits; `now` in ms.
+  /// Appends the robots found since the last call and returns their number. Must be called often;
+  /// does not block; `now` in ms.
   std::size_t find(std::int64_t now);
 
  private:

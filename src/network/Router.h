@@ -12,22 +12,23 @@ namespace gt {
 struct RoutedRobot {
   std::string name;
   std::string robot;  ///< Endpoint on which the robot listens for tools.
-  std::string tools;  ///< Endpoint on which the router listens for tools of it; empty: on none.
-  std::string team;   ///< Robots of the same one are teammates; empty: of none.
+  std::string tools;  ///< Endpoint on which the router listens for tools of this robot; empty:
+                      ///< none.
+  std::string team;   ///< Robots of the same team are teammates; empty: no team.
 };
 
-/// A team message as routers send it to each other.
+/// A team message as exchanged between routers.
 struct RoutedTeamMessage {
   std::string team;
   TeamMessage message;
 
   static constexpr auto fields() {
-    return Fields{field<&RoutedTeamMessage::team>("as RoutedRobot::team"),
+    return Fields{field<&RoutedTeamMessage::team>("team of the sender, see RoutedRobot::team"),
                   field<&RoutedTeamMessage::message>()};
   }
 };
 
-/// What the router does besides passing messages.
+/// Options of the router besides its robots.
 struct RouterOptions {
   std::vector<RoutedRobot> robots;
   std::string all;      ///< Endpoint for tools of all robots, such as a game manager; empty: none.
@@ -37,38 +38,39 @@ struct RouterOptions {
   std::optional<Keys> connectKeys;  ///< For robots and other routers.
 };
 
-/// Passes message queues between robots and tools (report 5.3): each robot has a port, on which
-/// any number of tools sees all it sends and may send to it. Brings team messages to the robots'
-/// teammates, also to those at other routers: each two routers are connected, and a message goes
-/// from the sender's router to all others.
+/// Transfers message queues between robots and tools (report 5.3). Each robot has a port for any
+/// number of tools, which receive everything that the robot sends and may send messages to it.
+/// Delivers team messages to the robots' teammates, also to those at other routers. All routers are
+/// connected pairwise, and a message is sent from the sender's router to all others.
 class Router {
  public:
   static Result<std::unique_ptr<Router>> open(const RouterOptions& options);
 
-  /// Serves one more robot.
+  /// Serves an additional robot.
   Result<void> add(const RoutedRobot& robot);
-  /// Waits up to some ms for messages and passes them on.
+  /// Waits up to `ms` for messages and transfers them.
   void step(std::int64_t ms);
 
   struct Statistics {
     std::string robot;
     bool connected = false;
-    std::string trouble{};  ///< Why it is not, as far as it is known.
+    std::string trouble{};  ///< Why the robot is not connected, if known.
     std::size_t tools = 0;
     std::uint64_t toTools = 0, toRobot = 0, dropped = 0, rejected = 0;  ///< Messages so far.
   };
   std::vector<Statistics> statistics() const;
-  /// Who was not let in at each port, by its name.
+  /// The refused connections at each port, by its name.
   std::vector<std::pair<std::string, Refusals>> refusals() const;
-  /// The same as lines for the user that were not taken yet: of each port and reason one, once.
+  /// Refused connections that were not reported yet, as lines for the user: one line for each port
+  /// and reason, only once.
   std::vector<std::string> takeNews();
-  /// How many other routers are there.
+  /// Number of connected other routers.
   std::size_t routers() const;
-  /// Milliseconds since it was opened.
+  /// Time (ms) since the router was opened.
   std::int64_t elapsed() const { return network_.elapsed(); }
-  /// Where tools of all robots connect.
+  /// Endpoint for tools of all robots.
   std::string endpointOfAll() const { return all_ ? all_->endpoint() : ""; }
-  /// Where other routers connect.
+  /// Endpoint for other routers.
   std::string endpointOfRouters() const { return routers_ ? routers_->endpoint() : ""; }
   std::string endpointOf(std::size_t robot) const { return routes_[robot]->tools->endpoint(); }
 
@@ -79,7 +81,7 @@ class Router {
     std::unique_ptr<ToolPort> tools;
     TeamMessages mates;
     bool matesChanged = false;
-    Time clock;  ///< Of the robot: the newest of its messages.
+    Time clock;  ///< Clock of the robot: time of its newest message.
     std::int64_t asked = -1;
     std::uint64_t toTools = 0, toRobot = 0;
     MessageQueue fromRobot{2 * toolQueueSize}, fromTools{2 * toolQueueSize};

@@ -8,7 +8,7 @@
 
 namespace gt {
 
-/// A piece of memory that is mapped into this process; unmaps it at the end.
+/// Memory that is mapped into this process; unmapped when destroyed.
 class MappedMemory {
  public:
   MappedMemory(const FileDescriptor& memory, std::size_t size, bool writable);
@@ -24,22 +24,22 @@ class MappedMemory {
   std::size_t size_ = 0;
 };
 
-/// The newest packages of one type, for one other process: memory that both see and this one
-/// writes. It has room for two packages; the next one replaces the older of them. Nobody locks
-/// anything: what is replaced while it is read is known by its number, so each end may die at any
-/// moment. Handed over by LocalConnection.
+/// The newest packages of one type for one other process, in shared memory that this process
+/// writes. It has room for two packages; a new package replaces the older one. No locks are used: a
+/// package that is replaced while it is read is recognized by its number, so each process may end
+/// at any moment. Transferred by LocalConnection.
 class SlotWriter {
  public:
-  /// Has room for packages of up to a number of bytes; empty if there is no memory.
+  /// Makes a slot for packages of up to `size` bytes; empty if there is no memory.
   static std::optional<SlotWriter> make(std::size_t size);
 
-  /// Room for capacity() bytes, which hold the next package as soon as it is published.
+  /// Memory of capacity() bytes, in which the next package must be written before it is published.
   std::byte* begin();
-  /// Returns the package's number, by which it is read.
+  /// Makes the package readable. Returns its number, by which it is read.
   std::uint64_t publish();
 
   std::size_t capacity() const;
-  /// What the reader needs.
+  /// The memory's descriptor, which the reader needs.
   const FileDescriptor& memory() const { return memory_; }
 
  private:
@@ -51,16 +51,16 @@ class SlotWriter {
   std::uint64_t number_ = 0;
 };
 
-/// The other end of a SlotWriter. What lies there is data from outside, and may change while it is
-/// read.
+/// The reader's end of a SlotWriter. The memory contains data from outside, which may change while
+/// it is read.
 class SlotReader {
  public:
-  /// Empty if this is no slot, or if it has room for larger packages than wanted.
+  /// Opens a slot. Empty if the memory is not a slot, or its capacity exceeds `largest` (bytes).
   static std::optional<SlotReader> open(const FileDescriptor& memory, std::size_t largest);
 
-  /// Copies the package with that number; false if it has been replaced meanwhile or never was.
+  /// Copies the package with that number. Returns false if it has been replaced or never existed.
   bool read(std::uint64_t number, std::span<std::byte> package) const;
-  /// Bytes in the memory.
+  /// Size of the memory, in bytes.
   std::size_t size() const { return mapped_.size(); }
 
  private:

@@ -8,15 +8,15 @@
 
 namespace gt {
 
-/// Looks again and again at which of the 254 addresses of a subnet somebody listens on a port, by
-/// connecting to each and leaving at once. Never waits.
+/// Repeatedly searches the 254 addresses of a subnet for programs that listen on a port, by
+/// connecting to each address and disconnecting immediately. Does not block.
 class SubnetSearch {
  public:
-  /// `subnet` is the first three numbers of the addresses, as 10.0.1.
+  /// `subnet` consists of the first three numbers of the addresses, such as 10.0.1.
   SubnetSearch(std::string subnet, int port) : subnet_{std::move(subnet)}, port_{port} {}
 
   const std::string& subnet() const { return subnet_; }
-  /// The last numbers of the addresses that were found since this was asked last, ascending. To be
+  /// The last numbers of the addresses found since the last call, in ascending order. Must be
   /// called often; `now` in ms.
   std::vector<int> find(std::int64_t now);
 

@@ -11,40 +11,40 @@
 
 namespace gt {
 
-/// How much is kept for a tool, or from it, at a time.
+/// Size (bytes) of the queue of messages to a tool, and of that from a tool.
 constexpr std::size_t toolQueueSize = 2 << 20;
 
-/// Where tools connect to a robot: each gets every message that the robot sends, and may send
-/// messages. Memory is bounded for each tool: what one does not take in time is dropped for that
-/// one, and one that sends without being asked is not listened to (report 5.3). A tool that takes
-/// what was kept for it late gets the newest only, if the queues were asked to be filled so
-/// (QueueFillRequest). Both sides state by which vocabulary they write, and ask for one that they
-/// do not know before they take messages.
+/// The port of a robot for tools. Each tool receives every message that the robot sends, and may
+/// send messages. The memory for each tool is bounded: messages that a tool does not receive in
+/// time are dropped for that tool, and a tool that sends without a request is ignored (report 5.3).
+/// If requested by a QueueFillRequest, a slow tool only receives the newest messages. Both sides
+/// state the vocabulary that they use for writing. An unknown vocabulary is requested before
+/// messages are accepted.
 class ToolPort {
  public:
-  /// Without a vocabulary messages are passed on as they are.
+  /// Opens the port. Without a vocabulary, messages are transferred unchanged.
   static Result<std::unique_ptr<ToolPort>> open(Network& network, const std::string& endpoint,
                                                 const std::optional<Keys>& keys = {},
                                                 const Vocabulary* vocabulary = nullptr);
 
-  /// Passes messages to all tools.
+  /// Sends messages to all tools.
   void send(const MessageQueue& messages);
-  /// Takes what tools sent to `messages`, and serves tools that ask. What has no room there is left
-  /// with the tools.
+  /// Appends the tools' messages to `messages`, and serves the tools' requests. Messages for which
+  /// there is no room stay at the tools.
   void update(MessageQueue& messages);
 
-  /// From now on the messages are written by another program's vocabulary.
+  /// States that messages are written in another program's vocabulary from now on.
   void relay(const TypeDescriptions& types);
-  /// News about the tools that was not yet reported to the user; also who was not let in, once for
+  /// News about the tools that were not yet reported to the user, including refused tools, once for
   /// each reason.
   std::vector<std::string> takeNews();
 
   std::size_t tools() const { return tools_.size(); }
   std::string endpoint() const { return socket_->endpoint(); }
-  /// Messages that did not fit for some tool, and what came in that was none.
+  /// Number of messages that were dropped for a tool, and of invalid received messages.
   std::uint64_t dropped() const;
   std::uint64_t rejected() const { return rejected_ + socket_->rejected(); }
-  /// Tools that were not let in.
+  /// The refused tools.
   Refusals refusals() const;
 
  private:
@@ -52,11 +52,11 @@ class ToolPort {
     std::string name, address;
     std::int64_t heard = 0;
     std::int64_t asked = -1;
-    bool mayGet = false;   ///< It requested a queue.
-    bool maySend = false;  ///< It was asked for a queue.
+    bool mayGet = false;   ///< Whether the tool requested a queue.
+    bool maySend = false;  ///< Whether a queue was requested from the tool.
     MessageQueue out{toolQueueSize};
     Interpreter interpreter;
-    std::int64_t wondered = -1;  ///< When it was asked for its vocabulary.
+    std::int64_t wondered = -1;  ///< When the tool's vocabulary was requested.
   };
 
   ToolPort(Network& network, Socket& socket, const Vocabulary* vocabulary);
@@ -69,38 +69,40 @@ class ToolPort {
   Network& network_;
   Socket* socket_;
   const Vocabulary* vocabulary_;
-  TypeDescriptions types_;  ///< By which messages to tools are written.
+  TypeDescriptions types_;  ///< Vocabulary of the messages to tools.
   Topic topic_;
   bool newestOnly_ = false;
   NewestMessages newest_;
   std::vector<std::unique_ptr<Tool>> tools_;
   std::uint64_t rejected_ = 0;
   Refusals refusals_;
-  std::set<std::string, std::less<>> refused_;  ///< Names of those, to count each once.
+  std::set<std::string, std::less<>> refused_;  ///< Names of refused tools, to count each once.
   EnumArray<Refusal, bool> reported_;
-  std::uint64_t dropped_ = 0;  ///< That were reported to the tools, or that are gone with them.
+  std::uint64_t dropped_ = 0;  ///< Drops that were reported to the tools, or that belong to tools
+                               ///< that are gone.
 };
 
-/// A tool's end: connects to a robot's port, or to the router's for that robot.
+/// A tool's connection to a robot's port, or to the router's port for that robot.
 class ToolConnection {
  public:
-  /// Without a vocabulary messages are passed on as they are.
+  /// Opens the connection. Without a vocabulary, messages are transferred unchanged.
   static Result<std::unique_ptr<ToolConnection>> open(Network& network, const std::string& endpoint,
                                                       const std::optional<Keys>& keys = {},
                                                       const Vocabulary* vocabulary = nullptr);
 
-  /// Messages for the robot; they leave when it asks for them.
+  /// Messages for the robot; they are sent when the robot requests them.
   MessageQueue& out() { return out_; }
-  /// Takes what the robot sent to `messages`. What has no room there is left with the robot.
+  /// Appends the robot's messages to `messages`. Messages for which there is no room stay at the
+  /// robot.
   void update(MessageQueue& messages);
-  /// Something came from the robot within the last second.
+  /// Whether data was received from the robot within the last second.
   bool connected() const { return heard_ >= 0 && network_.elapsed() - heard_ < 1000; }
   std::uint64_t rejected() const { return rejected_ + socket_->rejected(); }
-  /// The vocabulary by which the robot writes, as far as it is another one.
+  /// The vocabulary that the robot uses for writing, if it differs from the own one.
   const TypeDescriptions& theirs() const { return interpreter_.theirs(); }
-  /// News about the robot that was not yet reported to the user.
+  /// News about the robot that were not yet reported to the user.
   std::vector<std::string> takeNews() { return interpreter_.takeNews(); }
-  /// Why the robot is not reached, as far as it is known; empty otherwise.
+  /// Why the robot is not connected, if known; otherwise empty.
   std::string trouble() const { return connected() ? "" : socket_->trouble(); }
 
  private:
@@ -113,7 +115,7 @@ class ToolConnection {
   Topic topic_;
   Interpreter interpreter_;
   std::int64_t wondered_ = -1;
-  bool understood_ = true;  ///< The vocabulary of the last frame is known.
+  bool understood_ = true;  ///< Whether the vocabulary of the last frame is known.
   std::int64_t heard_ = -1;
   std::int64_t asked_ = -1;
   bool maySend_ = false;

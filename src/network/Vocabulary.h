@@ -11,40 +11,40 @@
 
 namespace gt {
 
-/// How a program writes the packages and messages of a type.
+/// The schema that a program uses to write packages and messages of a type.
 struct TypeDescription {
   std::uint32_t type = 0;
   std::string name, schema;
 
   static TypeDescription of(const RepresentationType& type);
   static constexpr auto fields() {
-    return Fields{field<&TypeDescription::type>("the type's id"),
-                  field<&TypeDescription::name>("the schema's name"),
-                  field<&TypeDescription::schema>("the schema's text")};
+    return Fields{field<&TypeDescription::type>("id of the type"),
+                  field<&TypeDescription::name>("name of the schema"),
+                  field<&TypeDescription::schema>("text of the schema")};
   }
 };
 
-/// How a program writes all its messages.
+/// The schemas of all messages that a program writes.
 struct TypeDescriptions {
   std::uint32_t vocabulary = 0;
   std::vector<TypeDescription> types;
 
   static constexpr auto fields() {
-    return Fields{field<&TypeDescriptions::vocabulary>("the vocabulary's id"),
+    return Fields{field<&TypeDescriptions::vocabulary>("id of the vocabulary"),
                   field<&TypeDescriptions::types>()};
   }
 };
 
-/// The types of messages that a program knows, and their schemas.
+/// The message types that a program knows, with their schemas.
 class Vocabulary {
  public:
-  /// Types that are not streamed are left out.
+  /// Types that are not streamed are ignored.
   explicit Vocabulary(const std::vector<const RepresentationType*>& types);
 
-  /// Of the schemas: that of another program with the same ones is the same. Never 0.
+  /// Id of the schemas: vocabularies with the same schemas have the same id. Never 0.
   std::uint32_t id() const { return descriptions_.vocabulary; }
   const TypeDescriptions& descriptions() const { return descriptions_; }
-  /// A type by its id; null if it is not among them.
+  /// Returns a type by its id; null if it is not in the vocabulary.
   const RepresentationType* find(std::uint32_t type) const;
 
  private:
@@ -52,32 +52,34 @@ class Vocabulary {
   TypeDescriptions descriptions_;
 };
 
-/// Understands the messages of another program, which may be built from another version: types
-/// whose schemas differ are read field by field, into values that hold what the type begins with.
+/// Reads the messages of another program, which may be built from another version. Types with
+/// different schemas are read field by field; fields that the other program does not write keep
+/// their default values.
 class Interpreter {
  public:
-  /// `own` is this program's vocabulary; null for who passes messages on as they are.
+  /// `own` is this program's vocabulary; null for programs that transfer messages unchanged.
   explicit Interpreter(const Vocabulary* own) : own_{own} {}
 
-  /// Whether messages written by a vocabulary can be taken: by this one's, by one that was learned,
-  /// or by none that is told (0).
+  /// Whether messages of a vocabulary can be read: the own vocabulary, one that was received, or
+  /// one that is not stated (0).
   bool knows(std::uint32_t vocabulary) const {
     return vocabulary == 0 || (own_ && vocabulary == own_->id()) ||
            vocabulary == theirs_.vocabulary;
   }
   void learn(TypeDescriptions theirs);
-  /// What was learned last.
+  /// The vocabulary that was received last.
   const TypeDescriptions& theirs() const { return theirs_; }
-  /// Appends messages as this program writes them. What cannot be read is left out, and reported.
+  /// Appends messages, converted to the own vocabulary. Unreadable messages are skipped and
+  /// reported.
   void take(const MessageQueue& messages, MessageQueue& to);
-  /// News about the other program that was not yet reported to the user.
+  /// News about the other program that were not yet reported to the user.
   std::vector<std::string> takeNews() { return std::exchange(news_, {}); }
 
  private:
   struct Foreign {
     const RepresentationType* type;
-    std::optional<MessageDefinition> definition;  ///< Empty if it cannot be read.
-    bool failed = false;                          ///< That a message cannot be read was reported.
+    std::optional<MessageDefinition> definition;  ///< Empty if the schema cannot be read.
+    bool failed = false;                          ///< Whether an unreadable message was reported.
   };
 
   void translate(const Message& message, Foreign& foreign, MessageQueue& to);

@@ -13,15 +13,16 @@
 namespace gt {
 
 /// Connects the senders and receivers of this program's process with those of others (report
-/// 2.2.3.1): each sender serves whoever asks for its package, each receiver asks one process for
-/// it. A process that ends is forgotten after a second; one that is started again asks anew.
+/// 2.2.3.1). Each sender serves all processes that request its package; each receiver requests it
+/// from one process. A process that ends is forgotten after a second; a restarted process sends its
+/// requests again.
 ///
-/// A package states by which schema it was written. If that is another one than the receiver's, as
-/// the programs were built from different versions, the receiver asks for it and reads the package
-/// field by field.
+/// A package states the schema by which it was written. If the receiver has another schema, because
+/// the programs were built from different versions, it requests the sender's schema and reads the
+/// package field by field.
 class Wire {
  public:
-  /// `name` is what other processes know this one by.
+  /// `name` is the name by which other processes know this one.
   Wire(Network& network, std::string name);
   ~Wire();
 
@@ -29,28 +30,28 @@ class Wire {
   Result<void> connect(const std::string& peer, const std::string& endpoint,
                        const std::optional<Keys>& keys = {});
 
-  /// Serves this sender's package to every process that asks.
+  /// Serves this sender's package to every process that requests it.
   void provide(PackageSender& sender) { senders_.push_back(&sender); }
-  /// Asks a process for the package of this receiver, again and again.
+  /// Repeatedly requests the package of this receiver from a process.
   void receive(const std::string& peer, PackageReceiver& receiver);
 
-  /// Takes what came in. To be called before each cycle of the process.
+  /// Receives packages and requests. Must be called before each cycle of the process.
   void takeIn();
-  /// Notifies others of what the receivers are ready for. To be called after each cycle, and when
-  /// there was no reason for one.
+  /// Notifies other processes of the packages that the receivers are ready for. Must be called
+  /// after each cycle, and when there was no cycle.
   void askForMore();
 
-  /// The newest time that a peer stamped its packages with, and the session it is in; 0 as long as
-  /// nothing came from it.
+  /// The newest time stamp of a peer's packages, and the peer's session; 0 before the first
+  /// package.
   struct Clock {
     Time time;
     std::uint64_t session = 0;
   };
   Clock clockOf(std::string_view peer) const;
-  /// Packages and requests that came in and could not be used.
+  /// Number of received packages and requests that were invalid.
   std::uint64_t rejected() const { return rejected_; }
-  /// News about the other programs that was not yet reported to the user, line by line:
-  /// who does not answer where he is expected, and whose packages are of another version.
+  /// News about the other programs that were not yet reported to the user, one per line: expected
+  /// programs that do not answer, and programs that send packages of another version.
   std::vector<std::string> takeNews() { return std::exchange(news_, {}); }
 
  private:
@@ -59,20 +60,21 @@ class Wire {
     std::string name;
     Socket* socket;
     Clock clock;
-    std::string endpoint{};  ///< Where it is expected; empty if it came by itself.
-    bool missed = false;     ///< That it does not answer was reported.
+    std::string endpoint{};  ///< Expected endpoint; empty if the peer connected by itself.
+    bool missed = false;     ///< Whether it was reported that the peer does not answer.
   };
-  /// How a peer writes packages of a type, if otherwise than this program.
+  /// The schema of a peer's packages of a type, if it differs from that of this program.
   struct Foreign {
-    std::uint32_t schema;                           ///< Its id.
-    std::optional<MessageDefinition> definition{};  ///< Empty until it is known, or if it is wrong.
+    std::uint32_t schema;                           ///< Id of the schema.
+    std::optional<MessageDefinition> definition{};  ///< Empty until the schema was received, or if
+                                                    ///< it is invalid.
     bool known = false;
   };
   struct Inbound {
     std::string peer;
     PackageReceiver* receiver;
     Topic topic;
-    std::int64_t asked = -1;  ///< When the peer was asked last; -1 if it has to be asked now.
+    std::int64_t asked = -1;  ///< Time of the last request to the peer; -1 if it must be sent now.
     FrameKind sent = FrameKind::package;
     std::optional<Foreign> foreign{};
   };

@@ -11,30 +11,30 @@
 
 namespace gt {
 
-/// ZeroMQ as one program uses it, and who may connect to it.
+/// The ZeroMQ context of a program, with the access control for its sockets.
 class ZeroMq {
  public:
-  /// Makes that a listening socket lets in only who holds the client's key.
+  /// Restricts a listening socket to clients that own the client's secret key.
   void guard(zmq::socket_t& socket, const Keys& keys);
-  /// Answers ZeroMQ's questions who may connect (its protocol ZAP).
+  /// Answers ZeroMQ's access requests (its protocol ZAP).
   void answerKeyQuestions();
   zmq::context_t& context() { return context_; }
-  /// Readable when there is a question; null if nobody needs keys.
+  /// Readable when there is an access request; null if no socket uses keys.
   void* questions() { return keyKeeper_ ? keyKeeper_->handle() : nullptr; }
 
  private:
   zmq::context_t context_;
-  std::vector<std::string> clients_;  ///< Public keys of those who are let in, as 32 bytes.
+  std::vector<std::string> clients_;  ///< Public keys of accepted clients, 32 bytes each.
   std::optional<zmq::socket_t> keyKeeper_;
 };
 
-/// What ZeroMQ reports of a socket's connections.
+/// The connection events that ZeroMQ reports for a socket.
 class SocketEvents {
  public:
   SocketEvents(ZeroMq& zeroMq, zmq::socket_t& watched, int kinds);
   struct Event {
     std::uint16_t kind = 0;
-    std::int32_t value = -1;  ///< The connection's file descriptor, or the reason of a failure.
+    std::int32_t value = -1;  ///< File descriptor of the connection, or reason of a failure.
   };
   std::optional<Event> next();
 
@@ -42,27 +42,28 @@ class SocketEvents {
   zmq::socket_t events_;
 };
 
-/// Watches who is connected with a listening socket over tcp. ZeroMQ limits the parts of a message,
-/// but not their number, nor that of connections: who sends more bytes without an end of a message
-/// than a frame has is cut off, and when all places are taken, who has sent nothing yet, or if all
-/// have, who comes. An address has a part of the places only. Where no key is needed, who is not of
-/// this user (or the administrator) is cut off, too: as with sockets of the file system.
+/// Watches the connections of a listening tcp socket. ZeroMQ limits the size of a message's parts,
+/// but neither their number nor that of connections. Therefore a connection is closed if it sends
+/// more bytes than a frame has without completing a message. If all places are occupied, a
+/// connection that has not sent anything is closed, or, if there is none, the new one. Each IP
+/// address may only occupy a part of the places. If no key is required, connections of other users
+/// (except the administrator) are closed, too, as for sockets in the file system.
 class ConnectionGuard {
  public:
   ConnectionGuard(ZeroMq& zeroMq, zmq::socket_t& watched, const SocketLimits& limits,
                   bool usersOnly, Refusals& refusals);
-  /// A whole message came in by this connection; false if it is to be passed over.
+  /// Processes a complete message of a connection. Returns false if it must be ignored.
   bool admits(int connection);
-  /// To be called often.
+  /// Must be called often.
   void check();
 
  private:
   struct Connection {
     int file;
     std::string address;
-    std::int64_t bytes = 0;  ///< That had come in when a message was complete.
+    std::int64_t bytes = 0;  ///< Bytes received up to the last complete message.
     bool heard = false;
-    bool known = false;  ///< Something was admitted from it.
+    bool known = false;  ///< Whether a message of this connection was admitted.
   };
 
   void takeEvents();
@@ -75,12 +76,12 @@ class ConnectionGuard {
   SocketLimits limits_;
   bool usersOnly_;
   Refusals& refusals_;
-  int failedHandshakes_ = 0;  ///< Of connections that have not ended yet.
+  int failedHandshakes_ = 0;  ///< Failed handshakes of connections that have not ended yet.
   SocketEvents events_;
   std::vector<Connection> connections_;
 };
 
-/// A socket of ZeroMQ, for all endpoints that others than this machine can reach.
+/// A ZeroMQ socket, for all endpoints that are reachable from other machines.
 class ZeroMqSocket : public Socket {
  public:
   static Result<std::unique_ptr<Socket>> listen(const Network& network, ZeroMq& zeroMq,
@@ -109,7 +110,7 @@ class ZeroMqSocket : public Socket {
   bool hasKey_ = false;
   zmq::socket_t socket_;
   zmq::message_t peer_, message_;
-  std::string address_;  ///< Of the last message's sender.
+  std::string address_;  ///< Address of the last message's sender.
   std::optional<ConnectionGuard> guard_;
   std::optional<SocketEvents> handshakes_;
   std::string trouble_;

@@ -8,28 +8,29 @@
 namespace gt {
 
 /// The main message queues between tools and robots (report 5.2, figure 5.3). A tool is connected
-/// to one robot of each kind at a time: to the first one of a list. Console, log recorder and views
-/// name queues when they state which robots they mean.
+/// to one robot of each kind at a time, the first one of a list. Console, log recorder and views
+/// use names of queues to state which robots they refer to.
 enum class QueueName {
-  toPhysicalRobot,  ///< Messages for the connected one.
+  toPhysicalRobot,  ///< Messages for the connected physical robot.
   toAllPhysicalRobots,
   toSimulatedRobot,
   toAllSimulatedRobots,
-  fromPhysicalRobot,  ///< All that the connected one sends: what a log recorder records.
+  fromPhysicalRobot,  ///< All messages of the connected physical robot, as recorded by a log
+                      ///< recorder.
   fromSimulatedRobot,
-  toGUI  ///< What the connected robots of both kinds send: what views show.
+  toGUI  ///< Messages of the connected robots of both kinds, as shown by views.
 };
 
-/// The robots at the other end of a queue, of all those that a tool knows, in their order.
+/// The robots at the other end of a queue, among all robots that a tool knows, in their order.
 std::vector<ObservedRobot*> robotsOf(QueueName queue, const std::vector<ObservedRobot*>& robots);
 
-/// Whether messages can be put into a queue; the others are filled by robots.
+/// Whether messages can be put into a queue; the other queues are filled by robots.
 constexpr bool leadsToRobots(QueueName queue) {
   return queue <= QueueName::toAllSimulatedRobots;
 }
 
-/// Puts a message into a queue that leads to robots. Returns an error if it leads to none, or the
-/// first refusal; the others have it all the same.
+/// Sends a message by a queue that leads to robots. Returns an error if it leads to none, or the
+/// first refusal; the other robots receive the message nevertheless.
 template <typename T>
 Result<void> send(QueueName queue, const std::vector<ObservedRobot*>& robots, const T& message) {
   const auto ends = leadsToRobots(queue) ? robotsOf(queue, robots) : std::vector<ObservedRobot*>{};

@@ -21,13 +21,13 @@
 
 namespace gt {
 
-/// What is known of a robot from its messages, and all that it can be asked (framework/Requests.h):
-/// the same for a robot of the simulator, one on a log and one elsewhere. Whoever wants to know
-/// something asks for it; what nobody asks for is neither sent nor copied nor decoded. One thread
-/// at a time.
+/// A tool's view of a robot: the data received in its messages, and all requests to it
+/// (framework/Requests.h). Works in the same way for a simulated robot, one on a log, and a
+/// physical one. Data must be requested; data that is not requested is neither sent nor copied nor
+/// decoded. Not thread-safe.
 class ObservedRobot {
  public:
-  /// A value over time.
+  /// A value at a point in time.
   struct Point {
     Time time;
     double value;
@@ -39,19 +39,19 @@ class ObservedRobot {
 
   const std::string& name() const { return name_; }
   RobotKind kind() const { return link_->kind(); }
-  /// Of the newest message.
+  /// Time of the newest message.
   Time time() const { return time_; }
 
-  /// Takes what the robot has sent. Called by whatever runs the robot.
+  /// Processes messages of the robot. Called by the code that runs the robot.
   void take(const MessageQueue& messages);
-  /// Takes what has come by the link meanwhile.
+  /// Processes the messages that have arrived by the link.
   void update();
 
   // Values of representations, by name.
 
-  /// A representation as it is now. Asks the robot for it, unless it is subscribed. The value is
-  /// valid until messages are taken again. Returns an error if the robot does not have it or does
-  /// not answer.
+  /// Returns the present value of a representation. Requests it from the robot, unless it is
+  /// subscribed. The value is valid until further messages are processed. Returns an error if the
+  /// robot lacks the representation or does not answer.
   Result<ConstValue> value(const std::string& representation);
   template <typename T>
   Result<const T*> value() {
@@ -59,63 +59,66 @@ class ObservedRobot {
     if (!found) return found.error();
     return static_cast<const T*>(found->data());
   }
-  /// The newest value that has come, without asking for it; null if none has.
+  /// Returns the newest value that was received, without requesting it; null if there is none.
   template <typename T>
   const T* newest() {
     return static_cast<const T*>(newest(representation<T>()));
   }
-  /// Has a representation sent after each cycle for as long as the subscription exists. The robot
-  /// must outlive the subscription.
+  /// Lets the robot send a representation after each cycle for as long as the subscription exists.
+  /// The robot must outlive the subscription.
   class Subscription;
   [[nodiscard]] Subscription subscribe(const std::string& representation);
-  /// Has the output of a debug key sent for as long as the subscription exists, also after a
-  /// request has switched the key off. `drawings()` has none that is drawn for subscriptions alone.
+  /// Lets the robot send the output of a debug key for as long as the subscription exists, even if
+  /// a request switches the key off. `drawings()` does not contain drawings that are only sent for
+  /// subscriptions.
   [[nodiscard]] Subscription subscribeKey(const std::string& key);
-  /// Has the drawings of a debug key come for as long as the handle exists, unless the key was
-  /// switched off by a request. The handle may be dropped in any thread, and outlive the robot.
+  /// Lets the robot send the drawings of a debug key for as long as the handle exists, unless a
+  /// request switches the key off. The handle may be released in any thread, and outlive the robot.
   [[nodiscard]] std::shared_ptr<const void> showKey(const std::string& key);
-  /// The same as `subscribe` by hand: as often as a debug key of this state (command dk).
+  /// Lets the robot send a representation at the rate of a debug key of this state (command dk),
+  /// without a Subscription object.
   Result<void> watch(const std::string& representation, DebugKeyRequest often);
-  /// The representations that the robot can be asked for, sorted; empty if it does not answer.
+  /// Representations that can be requested from the robot, sorted; empty if it does not answer.
   const std::vector<std::string>& representations();
-  /// Of these, the ones that its platform sends: what the robot senses.
+  /// Those of the representations that the robot's platform sends: its sensor input.
   const std::vector<std::string>& inputs();
 
   // Values by path: RobotPose.pose.rotation, or a parameter, as TASK.PATH or TASK.SOLUTION.PATH.
 
   Result<std::string> get(const std::string& path);
-  /// Sets a parameter, or a field of a representation. A field lasts until its provider provides it
-  /// again, or until it is released if it is held.
+  /// Sets a parameter, or a field of a representation. A field keeps the value until its provider
+  /// provides it again, or until it is released if it is held.
   Result<void> set(const std::string& path, const std::string& value,
                    ValueMode mode = ValueMode::set);
-  /// Whether paths may begin with this name: of a representation or a task.
+  /// Whether a name is that of a representation or a task, so that paths may begin with it.
   bool has(const std::string& name);
   /// The paths that begin with the name of a representation or task.
   Result<std::vector<std::string>> paths(const std::string& name);
 
   // What its processes report about themselves.
 
-  /// Tasks, solutions, parameters, debug keys: asked for each time, since they may have changed.
+  /// Tasks, solutions, parameters and debug keys. Requested each time, because they may have
+  /// changed.
   Result<const std::vector<ProcessDescription>*> processes();
-  /// One task. Returns an error if no process solves it.
+  /// Description of one task. Returns an error if no process solves it.
   Result<const TaskDescription*> task(const std::string& name);
   /// All debug keys, sorted.
   const std::vector<std::string>& debugKeys();
-  /// How long the modules of each process took so far.
+  /// Total execution times of the modules of each process.
   Result<const std::map<std::string, ModuleTimes>*> times();
 
-  /// What makes it, so that a log can keep it.
+  /// The data from which the robot is made, so that a log can contain it.
   Result<RecordedSetup> setup();
 
   // Messages to the robot.
 
-  /// Hands a request to all processes. Returns an error if one of them refuses it, if it concerns
-  /// none of them, or if they do not all answer.
+  /// Sends a request to all processes. Returns an error if one of them refuses it, if it concerns
+  /// none of them, or if not all of them answer.
   template <typename Request>
   Result<void> request(const Request& request);
-  /// Also shows or hides what is drawn under the key.
+  /// Sends the request, and shows or hides the drawings of the key.
   Result<void> request(const DebugRequest& request);
-  /// Also asks anew what the robot has.
+  /// Sends the request, and discards the known descriptions of the robot.
   Result<void> request(const LayoutRequest& request);
   /// Sends any other message, such as a representation. Returns an error if it is refused at once.
   template <typename T>
@@ -126,30 +129,30 @@ class ObservedRobot {
 
   // Drawings, plots, texts: what has come so far.
 
-  /// The newest of each key.
+  /// The newest drawing of each key.
   const std::map<std::string, Drawing>& drawings() const { return drawings_; }
-  /// When the newest of a key came; never if none has.
+  /// Time at which the newest drawing of a key was received; never if there is none.
   Time drawnAt(const std::string& key) const {
     const auto known = drawnAt_.find(key);
     return known == drawnAt_.end() ? never() : known->second;
   }
-  /// Whether the key of a drawing was switched off here.
+  /// Whether this tool has switched off the key of a drawing.
   bool isHidden(const std::string& key) const {
     const auto known = keys_.find(key);
     return known != keys_.end() && known->second.off;
   }
-  /// What was plotted, and the times of stopwatches in us.
+  /// Plotted values over time, and the times of stopwatches in us.
   const std::map<std::string, std::deque<Point>>& plots() const { return plots_; }
-  /// The texts that came since this was called last.
+  /// The texts received since the last call.
   std::vector<std::string> takeTexts() { return std::exchange(texts_, {}); }
   void addText(std::string text);
-  /// All that the robot has reported as wrong, up to a thousand findings: texts that are warnings,
-  /// requests that it refused, messages for which it had no room.
+  /// Warnings of the robot, at most 1,000: texts that are warnings, requests that it refused,
+  /// messages for which it had no room.
   const Findings& warnings() const { return warnings_; }
-  /// Forgets all of that, and all values: the robot has begun anew, perhaps at an earlier time.
+  /// Discards all received data, because the robot has started again, possibly at an earlier time.
   void forget();
 
-  /// Also hands all messages to something else, such as a recorder, for as long as the handle
+  /// Also passes all messages to another receiver, such as a recorder, for as long as the handle
   /// exists.
   [[nodiscard]] std::shared_ptr<const void> passTo(RobotLink::Taker taker);
 
@@ -161,13 +164,13 @@ class ObservedRobot {
     std::shared_ptr<void> value{};
     bool decoded = false;
     int subscriptions = 0;
-    DebugKeyRequest watched{};  ///< By hand.
+    DebugKeyRequest watched{};  ///< By watch().
   };
 
-  /// What is asked for of a debug key.
+  /// The requests for a debug key.
   struct Key {
     DebugKeyRequest byHand{};
-    bool asked = false, off = false;  ///< By hand, last.
+    bool asked = false, off = false;  ///< State of the last request by hand.
     int subscriptions = 0;
     std::vector<std::weak_ptr<const void>> viewers{};
 
@@ -177,7 +180,7 @@ class ObservedRobot {
     bool isViewed() const {
       return std::ranges::any_of(viewers, [](const auto& viewer) { return !viewer.expired(); });
     }
-    /// What is drawn for subscriptions alone is for others.
+    /// Drawings that are only sent for subscriptions are not shown.
     bool isShown() const { return !off && (asked || isViewed() || subscriptions == 0); }
   };
 
@@ -195,7 +198,7 @@ class ObservedRobot {
   Result<ConstValue> decoded(const RepresentationType& type);
   Result<std::pair<ParameterRequest, std::string>> parameter(const std::string& path);
 
-  /// Writes a message for the robot; returns the time stamp by which it is answered.
+  /// Sends a message to the robot. Returns its time stamp, which identifies the answers.
   template <typename T>
   Result<Time> write(const T& message) {
     return write(representation<T>(), &message);
@@ -204,15 +207,15 @@ class ObservedRobot {
   Result<void> refusalOf(Time asked) const;
   template <typename Condition>
   bool await(Condition condition);
-  /// Waits until all processes have answered the last message, or one if only one is concerned.
-  /// Returns an error if they do not.
+  /// Waits until all processes have answered the last message, or one of them if only one is
+  /// concerned. Returns an error if they do not.
   Result<void> awaitAnswers(bool one);
   Result<bool> carriedOut(bool one);
 
   std::string name_;
   std::unique_ptr<RobotLink> link_;
   Time time_;
-  std::map<std::uint32_t, Newest> newest_;  ///< By the types' ids.
+  std::map<std::uint32_t, Newest> newest_;  ///< By the ids of the types.
   std::map<std::string, Drawing> drawings_;
   std::map<std::string, Time> drawnAt_;
   std::map<std::string, std::deque<Point>> plots_;
@@ -222,15 +225,15 @@ class ObservedRobot {
   std::map<std::string, Key> keys_;
 
   Time asked_;                                 ///< Time stamp of the last message to the robot.
-  std::vector<RequestAnswer> answers_;         ///< To it.
-  std::vector<ProcessDescription> processes_;  ///< As they were last asked for, by name.
+  std::vector<RequestAnswer> answers_;         ///< Answers to this message.
+  std::vector<ProcessDescription> processes_;  ///< Processes as described last, by name.
   std::vector<std::string> representations_, inputs_, debugKeys_;
-  std::string about_;     ///< What was asked for is one task.
-  TaskDescription task_;  ///< That task.
+  std::string about_;     ///< Name of the task that was requested alone.
+  TaskDescription task_;  ///< Description of that task.
   std::map<std::string, ModuleTimes> times_;
 };
 
-/// Keeps a representation or the output of a debug key coming.
+/// Requests a representation or the output of a debug key for as long as it exists.
 class ObservedRobot::Subscription {
  public:
   using Drop = void (ObservedRobot::*)(const std::string&);

@@ -10,9 +10,9 @@
 
 namespace gt {
 
-/// Records all that a robot sends, and has it send what its platform gives it and what made it: so
-/// the recording can be replayed (report I.5.3: log). It grows in a temporary file; saving copies
-/// it.
+/// Records all messages of a robot. Requests the input from its platform and its setup, so that the
+/// recording can be replayed (report I.5.3: log). The recording is written to a temporary file;
+/// saving copies it.
 class Recorder {
  public:
   /// The robot must outlive the recorder.
@@ -21,20 +21,20 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// Records from now on, to what was recorded before.
+  /// Starts recording; appends to an earlier recording.
   Result<void> start();
   void stop();
   bool recording() const { return recording_; }
-  /// Forgets what was recorded.
+  /// Discards the recording.
   void clear();
   std::uint64_t messages() const { return messages_; }
-  /// The first error while it was recorded, once: later messages are lost.
+  /// Returns the first error of the recording, only once; later messages are lost.
   std::optional<Error> takeError() { return log_ ? log_->takeError() : std::nullopt; }
-  /// Messages since the recording was saved last.
+  /// Number of messages since the recording was saved last.
   std::uint64_t unsaved() const { return messages_ - saved_; }
-  /// Writes a log of what was recorded; an error if that is nothing.
+  /// Saves the recording as a log. Returns an error if it is empty.
   Result<void> save(const std::string& file);
-  /// Where it was saved last; empty: nowhere.
+  /// Path where the recording was saved last; empty if it was not saved.
   const std::string& file() const { return file_; }
 
  private:
@@ -44,7 +44,7 @@ class Recorder {
   std::string path() const { return (folder_->path() / "recording.mcap").string(); }
 
   ObservedRobot& robot_;
-  std::unique_ptr<TemporaryFolder> folder_;  ///< Once something was recorded.
+  std::unique_ptr<TemporaryFolder> folder_;  ///< Made when something is recorded first.
   std::optional<RobotLog> log_;
   std::vector<ObservedRobot::Subscription> inputs_;
   std::shared_ptr<const void> passing_;

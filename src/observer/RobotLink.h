@@ -6,12 +6,12 @@
 
 namespace gt {
 
-/// Where a robot's processes run (report 5.2): in this program, fed by the simulator or by a log,
-/// or elsewhere.
+/// The place where a robot's processes run (report 5.2): in this program, with input from the
+/// simulator or a log, or in other programs.
 enum class RobotKind { simulated, physical };
 
-/// The message queues to and from a robot, wherever it runs. Provided by the simulator, by logs,
-/// and by connections to programs elsewhere; used by ObservedRobot.
+/// The message queues to and from a robot, wherever it runs. Implemented by the simulator, by logs,
+/// and by connections to other programs; used by ObservedRobot.
 class RobotLink {
  public:
   using Taker = std::function<void(const MessageQueue&)>;
@@ -20,11 +20,11 @@ class RobotLink {
   virtual RobotKind kind() const { return RobotKind::simulated; }
   /// Messages for the robot's processes.
   virtual MessageQueue& toRobot() = 0;
-  /// Has the robot carry out these messages, and hands over what it has sent. A robot of this
-  /// program answers at once, between two of its cycles. One elsewhere has sent what it has sent;
-  /// its answers follow.
+  /// Sends the messages to the robot, and passes its messages to `take`. A robot in this program
+  /// answers immediately, between two of its cycles. For a robot in another program, the messages
+  /// received so far are passed; its answers follow later.
   virtual void exchange(const Taker& take) = 0;
-  /// How long an answer may take.
+  /// Greatest time (ms) to wait for an answer.
   virtual std::chrono::milliseconds patience() const { return {}; }
 };
 

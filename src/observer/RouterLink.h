@@ -6,11 +6,12 @@
 
 namespace gt {
 
-/// The message queues of a robot elsewhere, by its port at a router of this program.
+/// The message queues of a robot in another program, by its port at a router in this program.
 class RouterLink : public RobotLink {
  public:
-  /// Connects to the port of a robot of the router by its index. The router, the network and the
-  /// vocabulary must outlive the link. The keys are for a router that lets in only tools with keys.
+  /// Connects to the port of a robot of the router, which is given by its index. The router, the
+  /// network and the vocabulary must outlive the link. The keys are required if the router only
+  /// accepts tools with keys.
   static Result<std::unique_ptr<RouterLink>> open(Router& router, std::size_t robot,
                                                   Network& network, const Vocabulary& vocabulary,
                                                   const std::optional<Keys>& keys = {});
@@ -18,7 +19,7 @@ class RouterLink : public RobotLink {
   RobotKind kind() const override { return RobotKind::physical; }
   MessageQueue& toRobot() override { return connection_->out(); }
   void exchange(const Taker& take) override;
-  /// A robot that is not connected cannot answer.
+  /// Zero for a robot that is not connected, because it cannot answer.
   std::chrono::milliseconds patience() const override;
 
  private:

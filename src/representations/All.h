@@ -51,7 +51,7 @@
 
 namespace gt {
 
-/// All representations, for whoever deals with each of them: `AllRepresentations<std::tuple>`.
+/// Instantiates a template with all representations: `AllRepresentations<std::tuple>`.
 template <template <typename...> typename List>
 using AllRepresentations =
     List<BehaviorControlRequest, BehaviorRequest, BehaviorState, BehaviorTrace, HeadControlMode,

@@ -8,13 +8,12 @@
 
 namespace gt {
 
-/// A file with numbers that were measured or searched, so that they fit only what they were found
-/// with.
+/// A file with measured or optimized numbers, which are valid only for the data they depend on.
 struct CalibratedFile {
-  std::string file;     ///< In the tree.
-  std::string command;  ///< That makes it anew, for people.
-  /// What it depends on: files of the tree, or folders with all files in them; and the fingerprint
-  /// of each when the file was last measured to fit, in which comments and blanks do not count.
+  std::string file;     ///< Path in the tree.
+  std::string command;  ///< Command that creates the file again, for people.
+  /// The file's dependencies: files of the tree, or folders with all their files. Each has a
+  /// fingerprint of the time when the file was last found valid; comments and blanks are ignored.
   std::vector<std::array<std::string, 2>> sources;
 
   static constexpr auto fields() {
@@ -30,11 +29,11 @@ struct CalibratedFiles {
   static constexpr auto fields() { return Fields{field<&CalibratedFiles::files>()}; }
 };
 
-/// Warns of calibrated files that depend on something which has changed since. What is listed and
-/// missing is an error, but in an installation, which has no folder src.
+/// Warns of calibrated files with dependencies that have changed since. A listed file that is
+/// missing is an error, except in an installation, which has no folder src.
 Findings checkCalibratedFiles(const std::string& root);
 
-/// Writes into the list that a calibrated file fits what it depends on, as that is now.
+/// Marks a calibrated file in the list as valid for the present state of its dependencies.
 Result<void> keepCalibratedFile(const std::string& root, const std::string& file);
 
 }  // namespace gt

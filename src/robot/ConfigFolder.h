@@ -10,20 +10,20 @@
 
 namespace gt {
 
-/// The folder of configuration files with its location (report B.4.1): a file of the location's
-/// folder wins over the common one.
+/// The folder of configuration files with its location (report B.4.1): files in the location's
+/// folder take precedence over the common ones.
 class ConfigFolder {
  public:
-  /// Reads `location.cfg`, which holds the name of a folder in this one; without it, or if it is
-  /// empty, there are the common files only.
+  /// Reads `location.cfg`, which contains the name of a subfolder. Without it, or if it is empty,
+  /// only the common files are used.
   static Result<ConfigFolder> open(const std::string& folder);
-  /// With a given location instead of that in location.cfg; empty for none.
+  /// Uses the given location instead of that in location.cfg; empty for none.
   ConfigFolder(std::string folder, std::string location)
       : folder_{std::move(folder)}, location_{std::move(location)} {}
 
-  /// Where a file is read from; it may be missing.
+  /// The path that a file is read from; the file may be missing.
   std::string path(const std::string& file) const;
-  /// The common file, and the location's; either may be missing.
+  /// The paths of the common file and of the location's file; either may be missing.
   std::vector<std::string> paths(const std::string& file) const;
   const std::string& location() const { return location_; }
 
@@ -31,10 +31,10 @@ class ConfigFolder {
   std::string folder_, location_;
 };
 
-/// The one word of location.cfg, the name of a folder, or nothing.
+/// Parses the content of location.cfg: one word, the name of a folder, or nothing.
 Result<std::string> parseLocation(std::string_view text, const std::string& file);
 
-/// A value that robots may have in their own way, by their hardware addresses.
+/// A value that may be different for each robot, by hardware address.
 template <typename T>
 struct PerRobot {
   T common;
@@ -46,17 +46,17 @@ struct PerRobot {
   }
 };
 
-/// Whether a text is a hardware address as robot.cfg has it: 12 digits, 00022D1F626B.
+/// Whether a text is a hardware address in the format of robot.cfg: 12 digits, 00022D1F626B.
 bool isHardwareAddress(std::string_view text);
 
-/// The sections of a text in the config format; reports those that are no hardware addresses or
-/// come twice.
+/// Returns the sections of a text in the config format. Reports sections that are not hardware
+/// addresses or occur twice.
 std::vector<std::string> robotAddresses(std::string_view text, const std::string& file,
                                         Findings& findings);
 
-/// Reads text in the config format: what stands before the first section holds for all robots, a
-/// section [ADDRESS] for one (report B.4.5). Returns all errors; if there is one, the value stays
-/// as it was.
+/// Reads text in the config format: the lines before the first section are valid for all robots, a
+/// section [ADDRESS] for one (report B.4.5). Returns all errors. After an error the value is
+/// unchanged.
 template <Streamable T>
 Findings collectPerRobot(std::string_view text, const std::string& file, PerRobot<T>& value) {
   PerRobot<T> read{value.common, {}};
@@ -69,7 +69,7 @@ Findings collectPerRobot(std::string_view text, const std::string& file, PerRobo
   return findings;
 }
 
-/// The config files of a robot's own program: who it is and how it is reached.
+/// The network settings of a robot's program: the robot's name and its endpoints.
 struct NetworkSettings {
   std::string robot = "robot";
   std::string address;
@@ -80,15 +80,15 @@ struct NetworkSettings {
 
   static constexpr auto fields() {
     return Fields{
-        field<&NetworkSettings::robot>("the robot's name"),
+        field<&NetworkSettings::robot>("name of the robot"),
         field<&NetworkSettings::address>(
-            "hardware address; empty: that of the machine's first network interface"),
-        field<&NetworkSettings::tools>(
-            "where tools and the router connect: tcp://127.0.0.1:15001; empty: on this machine"),
+            "hardware address of the robot; empty: that of the machine's first network interface"),
+        field<&NetworkSettings::tools>("endpoint for tools and the router, such as "
+                                       "tcp://127.0.0.1:15001; empty: local sockets only"),
         field<&NetworkSettings::keys>("key file for listening"),
         field<&NetworkSettings::connectKeys>("key file for connecting"),
         field<&NetworkSettings::processes>(
-            "where processes listen on other machines: Motion=tcp://10.0.1.100:5001")};
+            "endpoints of processes on other machines, such as Motion=tcp://10.0.1.100:5001")};
   }
 };
 

@@ -27,24 +27,25 @@ struct ConfigurationPaths {
   std::string config = "config";                   ///< Folder.
   std::string motions = "motions";                 ///< Folder of `.mof` files.
   std::string behavior = "behavior/GT2003.xabsl";  ///< The agents file.
-  std::string colorTable{};  ///< Instead of the folder's coltable.c64, if not empty.
-  ColorClassOrder colorOrder = gt2003ColorOrder;  ///< Of the color table's classes.
-  std::string location{};  ///< Instead of that in location.cfg, if not empty.
+  std::string colorTable{};  ///< Used instead of the folder's coltable.c64, if not empty.
+  ColorClassOrder colorOrder = gt2003ColorOrder;  ///< Order of the class numbers in the color
+                                                  ///< table.
+  std::string location{};  ///< Used instead of that in location.cfg, if not empty.
 
-  /// Those of a root; the defaults are those of the working directory.
+  /// The paths in a root; the default paths are in the working directory.
   static ConfigurationPaths in(const DataRoot& root) {
     return {root.path("config"), root.path("motions"), root.path("behavior/GT2003.xabsl")};
   }
 };
 
-/// Where the files of a configuration are.
+/// The paths of a configuration's files.
 struct ConfigurationFiles {
   ConfigurationPaths paths;
   ConfigFolder folder{"", ""};
 };
 
-/// What a robot reads from files when it starts (report B.4), loaded once and shared by all robots
-/// that have the same. In the configuration folder:
+/// The data that a robot reads from files when it starts (report B.4), loaded once and shared by
+/// all robots with the same configuration. Files in the configuration folder:
 ///
 ///     location.cfg               the folder in this one whose files win (report B.4.1)
 ///     field.cfg                  FieldDimensions
@@ -61,21 +62,21 @@ struct ConfigurationFiles {
 ///     modules/TASK.SOLUTION.cfg  the parameters of that solution
 ///     log.cfg                    what is recorded
 ///
-/// Every file but one of coltable.c64 and coltable.hsi may be missing: then the defaults hold. What
-/// none of a program's modules reads is not loaded, and null (ConfigurationPart). Who the robot is
-/// and how it is reached are its program's matter: `loadPlayer`, `loadNetwork`.
+/// Every file may be missing, except one of coltable.c64 and coltable.hsi; then the defaults are
+/// used. Parts that none of a program's modules reads are not loaded, and null (ConfigurationPart).
+/// The robot's identity and endpoints are read by its program: `loadPlayer`, `loadNetwork`.
 struct Configuration {
   /// A line of modules.cfg.
   struct SolutionChoice {
     std::string task, solution, file;
     int line;
   };
-  /// log.cfg: what a robot's log holds.
+  /// log.cfg: the content of a robot's log.
   struct LogSettings {
     std::vector<std::string> representations;
     std::string file;                  ///< For messages.
-    std::map<std::string, int> lines;  ///< In which each representation stands.
-    std::int64_t imagePeriod = 0;      ///< ms; 0 for no images
+    std::map<std::string, int> lines;  ///< Line number of each representation.
+    std::int64_t imagePeriod = 0;      ///< Time between images, in ms; 0 for no images.
 
     /// The error of a representation that the robot does not have.
     Error missing(const std::string& representation) const;
@@ -88,16 +89,16 @@ struct Configuration {
   std::vector<SolutionChoice> solutions;
   std::vector<ParameterFile> parameters;
   LogSettings log;
-  std::vector<const ConfigurationPart*> parts;  ///< That were read.
+  std::vector<const ConfigurationPart*> parts;  ///< The parts that were read.
   ConfigurationFiles files;
 
-  /// A part that is the same for all robots; null if it was not read.
+  /// Returns a part that is the same for all robots; null if it was not read.
   template <typename T>
   const T* find() const {
     const auto found = values_.find(&representation<T>());
     return found == values_.end() ? nullptr : static_cast<const T*>(found->second.get());
   }
-  /// One that was read.
+  /// Returns a part that was read.
   template <typename T>
   const T& get() const {
     const T* const value = find<T>();
@@ -108,19 +109,19 @@ struct Configuration {
   void set(T value) {
     values_[&representation<T>()] = std::make_shared<T>(std::move(value));
   }
-  /// A part of which each robot may have its own.
+  /// Returns a part that may be different for each robot.
   template <typename T>
   PerRobot<T>& perRobot() {
     return std::get<PerRobot<T>>(perRobot_);
   }
-  /// That of the robot with a hardware address.
+  /// Returns a part's value for the robot with a hardware address.
   template <typename T>
   const T& of(const std::string& address) const {
     return std::get<PerRobot<T>>(perRobot_).of(address);
   }
-  /// Lays the shared values on a blackboard, and those of the robot with a hardware address.
+  /// Puts the shared values on a blackboard, and the values for the robot with a hardware address.
   void share(Blackboard& blackboard, const std::string& address) const;
-  /// Lays one of them there.
+  /// Puts one part on a blackboard.
   void share(const ConfigurationPart& part, Blackboard& blackboard,
              const std::string& address) const;
 
@@ -129,26 +130,26 @@ struct Configuration {
   std::tuple<PerRobot<RobotCalibration>, PerRobot<CameraSettings>> perRobot_;
 };
 
-/// Compiles a behavior and links it with what this robot offers; the first error states file, line
-/// and column. Without texts it is read from the file.
+/// Compiles a behavior and links it with the symbols and skills of this robot. The first error
+/// states file, line and column. A request without texts is read from the file.
 Result<Behavior> loadBehavior(const BehaviorRequest& request, const MotionNet& motions);
-/// A request with the texts of a behavior: those of its file and of all that this includes.
+/// Makes a request with the texts of a behavior: its file and all included files.
 Result<BehaviorRequest> readBehaviorTexts(const std::string& file);
 
-/// Reads all parts that are in `wanted`, or all that the modules know; the first error states file,
-/// line and field. Names of solutions are checked where there are solutions of the task.
+/// Reads all parts in `wanted`, or all parts that the modules know. The first error states file,
+/// line and field. Names of solutions are checked for tasks that have solutions.
 Result<std::shared_ptr<const Configuration>> loadConfiguration(
     const ConfigurationPaths& paths, const RobotModules& modules,
     const std::vector<const RepresentationType*>* wanted = nullptr);
-/// For programs that hold all solutions.
+/// Like the function above, for programs that contain all solutions.
 Result<std::shared_ptr<const Configuration>> loadConfiguration(const ConfigurationPaths& paths);
 
-/// The same, but reads on after an error and returns all; warnings are about what is not used. What
-/// could be read is stored in `configuration`, if that is given.
+/// Like loadConfiguration, but continues after errors and returns all of them. Unused entries are
+/// warnings. The data that could be read is stored in `configuration`, if given.
 Findings checkConfiguration(const ConfigurationPaths& paths, const RobotModules& modules,
                             std::shared_ptr<const Configuration>* configuration = nullptr);
 
-/// player.cfg and network.cfg of a robot's own program; each may be missing.
+/// Read player.cfg and network.cfg of a robot's own program; each may be missing.
 Result<Player> loadPlayer(const std::string& configFolder);
 Result<NetworkSettings> loadNetwork(const std::string& configFolder);
 

@@ -12,30 +12,31 @@ namespace gt {
 
 class ModuleProcess;
 
-/// A part of the configuration: a representation that modules read, and how it gets on their
-/// blackboards. Each area of modules brings its own, so that a program neither links nor reads what
-/// none of its modules needs.
+/// A part of the configuration: a representation that modules read, and the way it gets on their
+/// blackboards. Each area of modules adds its own parts, so that a program links and reads only
+/// those that its modules need.
 struct ConfigurationPart {
   const RepresentationType* type;
-  /// Its file in the configuration's folder; empty if it has none.
+  /// File in the configuration folder; empty if there is none.
   const char* file = "";
-  /// Reads it from files; adds what is wrong with them.
+  /// Reads the part from files and adds errors to the findings.
   void (*read)(const ConfigurationPart& part, Configuration& configuration, Findings& findings);
-  /// Lays it on the blackboard of a robot with a hardware address; null: all share one value.
+  /// Puts the part on the blackboard of the robot with a hardware address; null: all robots share
+  /// one value.
   void (*share)(const Configuration& configuration, const std::string& address,
                 Blackboard& blackboard) = nullptr;
-  /// Carries out a message of the tools that replaces it while the robot runs; false if the message
-  /// is another one's. The representation itself needs no such function.
+  /// Executes a message of the tools that replaces the part while the robot is running. Returns
+  /// false if the message belongs to another part. Not required for the representation itself.
   bool (*handle)(const Message& message, ModuleProcess& process,
                  const ConfigurationFiles& files) = nullptr;
-  /// Called when a tool has replaced it or a field of it.
+  /// Called after a tool has replaced the part or a field of it.
   void (*changed)(Blackboard& blackboard) = nullptr;
-  /// What the file contains for a value; empty if the value needs none. Null if tools do not write
-  /// it (RunningConfiguration.h).
+  /// The content of the file for a value; empty if the value needs no file. Null if tools do not
+  /// write the file (RunningConfiguration.h).
   std::string (*text)(const void* value) = nullptr;
 };
 
-/// Reads a part from its file in the config format, which may be missing.
+/// Reads a part from its file in the config format; the file may be missing.
 template <typename T>
 void readPart(const ConfigurationPart& part, Configuration& configuration, Findings& findings) {
   T value;
@@ -49,8 +50,8 @@ void readPart(const ConfigurationPart& part, Configuration& configuration, Findi
   configuration.set(std::move(value));
 }
 
-/// What all processes may read: the dimensions of field and robot, its calibration, how its camera
-/// is set.
+/// The parts that all processes may read: the dimensions of field and robot, the robot's
+/// calibration, the settings of the camera.
 const std::vector<ConfigurationPart>& commonParts();
 
 }  // namespace gt

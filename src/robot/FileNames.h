@@ -7,8 +7,8 @@
 
 namespace gt {
 
-/// Replaces each path below a folder that an error holds, in its texts, too, by what `nameOf`
-/// returns for it: files of a temporary folder stand for others, and soon are gone.
+/// Replaces each path below a folder in an error, also in its texts, by the result of `nameOf`.
+/// Used for temporary folders, whose files stand for others and will be deleted.
 Error withFileNames(Error error, const std::filesystem::path& folder,
                     const std::function<std::string(const std::string& path)>& nameOf);
 

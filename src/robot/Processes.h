@@ -9,8 +9,9 @@
 
 namespace gt {
 
-/// What makes a robot: its configuration, its layout, who it is, the seed of its chance, what its
-/// platform sends, and the hardware address by which files know it (report B.4.5).
+/// The data from which a robot is made: configuration, layout, identity, random seed, the
+/// representations sent by its platform, and the hardware address that identifies it in files
+/// (report B.4.5).
 struct RobotSetup {
   std::shared_ptr<const Configuration> configuration;
   Layout layout;
@@ -20,13 +21,13 @@ struct RobotSetup {
   std::string address{};
 };
 
-/// The parts of the configuration that the modules of a process read, and how its camera is set.
+/// The parts of the configuration that the modules of a process read, and the camera settings.
 std::vector<const RepresentationType*> configurationOf(const ProcessLayout& process,
                                                        const SolutionTable& table);
 
 /// One process of a robot, with the configuration on its blackboard.
 std::unique_ptr<ModuleProcess> makeProcess(const Plan::Process& plan, const RobotSetup& setup);
-/// Chooses the solutions of the process's tasks and sets their parameters, as configured.
+/// Selects the solutions of the process's tasks and sets their parameters, as configured.
 Result<void> configureProcess(ModuleProcess& process, const Configuration& configuration);
 
 }  // namespace gt

@@ -8,15 +8,16 @@
 
 namespace gt {
 
-/// The files of a folder and of the folders in it, in order.
+/// Returns the files of a folder and of its subfolders, sorted.
 Result<std::vector<std::filesystem::path>> filesBelow(const std::string& folder);
-/// Adds all files of a folder to a fingerprint, with their names in it.
+/// Adds all files of a folder, with their names, to a fingerprint.
 Result<void> addFiles(const std::string& folder, Fingerprint& sum);
-/// As 16 hexadecimal digits.
+/// Formats a fingerprint as 16 hexadecimal digits.
 std::string digitsOf(const Fingerprint& sum);
 
-/// What each job depends on but its parameters: the commit of the program, and a fingerprint of the
-/// root's files as they are now, which may have been edited since; COMMIT+FINGERPRINT.
+/// The version that each job depends on besides its parameters: COMMIT+FINGERPRINT. This is the
+/// commit of the program, and a fingerprint of the root's present files, which may have been edited
+/// since.
 Result<std::string> projectVersion(const DataRoot& root);
 
 }  // namespace gt

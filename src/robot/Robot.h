@@ -14,24 +14,24 @@ namespace gt {
 
 class Wire;
 
-/// A robot: the processes of its layout, connected to each other and to a platform, which sends it
-/// sensor readings and takes its commands. It does not know whether the platform is a simulator,
-/// hardware or a log. All of its processes run in this program, or some of them, joined with the
-/// others by a wire; which makes no difference to what it does and answers. One thread at a time.
+/// A robot: the processes of its layout, connected to each other and to a platform, which sends
+/// sensor data and receives commands. The robot does not know whether the platform is a simulator,
+/// hardware or a log. Either all of its processes run in this program, or some of them, connected
+/// to the others by a wire; this does not change the robot's behavior and answers. Not thread-safe.
 class Robot {
  public:
-  /// A robot in one program, with all modules that there are.
+  /// Makes a robot in one program, with all existing modules.
   static Result<std::unique_ptr<Robot>> make(const RobotSetup& setup);
-  /// The processes of a robot that run `here`, by their names in the layout (all, without a name),
+  /// Makes those processes of a robot that run `here`, by their names in the layout (all if empty),
   /// with the modules that are linked into this program.
   static Result<std::unique_ptr<Robot>> make(const RobotSetup& setup, const RobotModules& modules,
                                              const std::vector<std::string>& here = {});
 
-  /// Connects the processes with those that run in other programs and, if it is one, the platform.
-  /// The wire bears the name of the process that runs here.
+  /// Connects the processes with those in other programs and, if it is one of them, with the
+  /// platform. The name of the wire is that of the process that runs here.
   void join(Wire& wire);
 
-  /// Sends a package to every process that reads it, as the platform.
+  /// Sends a package from the platform to every process that reads it.
   template <typename T>
   void send(const T& package) {
     send(representation<T>(), &package);
@@ -40,30 +40,31 @@ class Robot {
     for (PlatformLink& link : links_)
       if (link.type == &type) link.receiver->deliver(package);
   }
-  /// Where a package can be written before it is sent, so that sending it copies nothing to the
-  /// first process that reads it; null if none does. Valid until the next step.
+  /// Memory in which a package can be written before it is sent, so that it is not copied for the
+  /// first process that reads it. Null if no process reads it. Valid until the next step.
   template <typename T>
   T* place() {
     for (PlatformLink& link : links_)
       if (link.type == &representation<T>()) return static_cast<T*>(link.receiver->place());
     return nullptr;
   }
-  /// A representation that some process provides, as it is at the end of its last cycle; null if
-  /// none does.
+  /// A representation that a process provides, as it is at the end of that process's last cycle;
+  /// null if no process provides it.
   template <typename T>
   const T* provided() const {
     return static_cast<const T*>(provided(representation<T>()));
   }
 
-  /// Has a representation sent to the tools after cycles of the process that provides it, or of the
-  /// first that reads it, as often as a debug key of that state. Returns its type.
+  /// Requests that a representation is sent to the tools after cycles of the process that provides
+  /// it, or of the first process that reads it. The rate is given by the state of a debug key.
+  /// Returns the representation's type.
   Result<const RepresentationType*> watch(const std::string& representation,
                                           DebugKeyRequest often = {DebugKeyMode::always, 0});
   /// A representation by its name, as it is at the end of the last cycle of the process that
-  /// provides it, or of the first that reads it; nothing if there is none, or it is not streamable.
+  /// provides it, or of the first process that reads it. Empty if it does not exist or is not
+  /// streamable.
   std::optional<ConstValue> value(std::string_view representation) const;
-  /// Lays a value down in place of the task that would provide it, if that is disabled: as the
-  /// oracle does (report I.5.3: so).
+  /// Sets the output of a task that is disabled; the oracle uses this (report I.5.3: so).
   template <typename T>
   void layIfDisabled(const T& value) {
     layIfDisabled(representation<T>(), &value);
@@ -76,54 +77,56 @@ class Robot {
                                [&](const auto& process) { return process->isDisabled(type); });
   }
 
-  /// Has the robot go on with another behavior from its next cycle on; see BehaviorRequest. Who
-  /// calls it may name any file.
+  /// Switches to another behavior in the next cycle; see BehaviorRequest. The caller is trusted:
+  /// any file is read.
   Result<void> request(const BehaviorRequest& request);
 
   using Requests = RequestTypes<LayoutRequest, SetupRequest>;
-  /// Gives each process, in the order of the layout, the chance to run once. Then carries out or
-  /// refuses what the tools ask of the robot as a whole. Returns whether a process ran.
+  /// Lets each process run at most once, in the order of the layout. Then executes or refuses the
+  /// tools' requests to the robot as a whole. Returns whether a process ran.
   bool step(Time now);
-  /// Carries out at once, between two steps, what the tools have sent; the answers are in
+  /// Executes the messages from the tools immediately, between two steps. The answers are in
   /// `toTools`.
   void answer();
 
-  /// Sets what provides the setup of the robot when tools ask for it (SetupRequest).
+  /// Sets the function that provides the robot's setup for tools (SetupRequest).
   void provideSetup(std::function<Result<RecordedSetup>()> setup) { setupOf_ = std::move(setup); }
 
-  /// Regroups the modules to the processes of another layout, between two steps. They go on with
-  /// all that they remember; solutions, parameters, debug keys and representations stay as they
-  /// are. References to what `provided` returned before are no longer valid. An error leaves all as
-  /// it was. Only for robots in one program.
+  /// Redistributes the modules to the processes of another layout, between two steps. The modules
+  /// keep their internal state; solutions, parameters, debug keys and representations are
+  /// unchanged. References returned by `provided` before become invalid. After an error nothing is
+  /// changed. Only for robots in one program.
   Result<void> changeLayout(const Layout& layout);
 
-  /// Has the platform send a representation from now on, between two steps: solutions that read it
-  /// can be chosen then. Otherwise as `changeLayout` with the same layout.
+  /// Adds a representation to those that the platform sends, between two steps. Solutions that read
+  /// it can be selected afterward. Otherwise like `changeLayout` with the same layout.
   Result<void> addToPlatform(const RepresentationType& type);
 
-  /// Adds a solution of a task, between two steps, to which the robot can be switched from then on.
-  /// It replaces one of its name that was added before. Otherwise as `changeLayout` with the same
-  /// layout. An error also if no process solves the task, or nobody provides an input.
+  /// Adds a solution of a task, between two steps, to which the robot can be switched afterward.
+  /// Replaces a solution of the same name that was added before. Otherwise like `changeLayout` with
+  /// the same layout. Also returns an error if no process solves the task, or an input is not
+  /// provided.
   Result<void> add(const std::string& task, Solution solution);
 
-  /// Messages from and to the robot's processes, where the Debug process runs.
+  /// Message queues from and to the tools; they belong to the Debug process.
   MessageQueue& toTools() { return debug_->toTools(); }
   MessageQueue& fromTools() { return debug_->fromTools(); }
-  /// When the Debug process has its next cycle.
+  /// Time of the Debug process's next cycle.
   Time nextDebugCycle() const { return debug_->next(); }
-  /// Hands a request to all processes that it concerns, at once; an error if it concerns none.
+  /// Passes a request immediately to all processes that it concerns. Returns an error if there is
+  /// none.
   template <typename Request>
   Result<void> request(const Request& request);
-  /// Fills the queue to the tools in another way, from now on.
+  /// Changes how the queue to the tools is filled.
   Result<void> request(const QueueFillRequest& request) { return debug_->request(request); }
-  /// What takes the messages that a QueueFillRequest asks to save.
+  /// Sets the receiver of the messages that a QueueFillRequest asks to save.
   void onSave(QueueFill::Saver saver) { debug_->onSave(std::move(saver)); }
 
   const std::vector<std::unique_ptr<ModuleProcess>>& processes() const { return processes_; }
   const Plan& plan() const { return plan_; }
   const std::vector<const RepresentationType*>& platform() const { return setup_.platform; }
   const RobotSetup& setup() const { return setup_; }
-  /// Counts the changes of the layout.
+  /// Number of changes of the layout so far.
   int layoutChanges() const { return layoutChanges_; }
 
  private:
@@ -149,7 +152,7 @@ class Robot {
 
   RobotSetup setup_;
   const RobotModules* modules_;
-  std::shared_ptr<const RobotModules> ownModules_;  ///< Once solutions were added.
+  std::shared_ptr<const RobotModules> ownModules_;  ///< Set once solutions were added.
   std::vector<std::string> here_;                   ///< Empty: all.
   Plan plan_;
   std::vector<std::unique_ptr<ModuleProcess>> processes_;
@@ -171,7 +174,7 @@ Result<void> Robot::request(const Request& request) {
   return concerned ? Result<void>{} : concernsNobody(request);
 }
 
-/// The plan of a layout for a robot on a platform that sends this; see makePlan.
+/// The plan of a layout for a robot on a platform that sends these representations; see makePlan.
 Result<Plan> robotPlan(const Layout& layout,
                        const std::vector<const RepresentationType*>& platform);
 

@@ -8,7 +8,7 @@
 
 namespace gt {
 
-/// Where the files are that make a robot, and who it is.
+/// The files from which a robot is made, and its identity.
 struct SetupFiles {
   ConfigurationPaths paths;
   std::string layout;
@@ -17,20 +17,21 @@ struct SetupFiles {
   std::string address{};  ///< Hardware address.
 };
 
-/// The task that needs the images' pixels.
+/// Name of the task that reads the images' pixels.
 constexpr std::string_view imageTask = "ImageProcessor";
 
-/// Reads the files, so that a log can keep them.
+/// Reads the files into a form that can be stored in a log.
 Result<RecordedSetup> recordSetup(const SetupFiles& files);
 
-/// Makes the setup of a robot of a recorded one, for a program with these solutions.
+/// Makes a robot's setup from a recorded one, for a program with these solutions.
 Result<RobotSetup> readSetup(const RecordedSetup& recorded, const RobotModules& modules);
 
-/// What robots see in images, by name. A log without the images' pixels holds it.
+/// Names of the representations that are computed from images. A log without the images' pixels
+/// contains them.
 std::vector<std::string> perceptsOfImages(const SolutionTable& table);
 
-/// The commit from which this program was built, with -dirty behind it if the sources had changed;
-/// empty if they were in no repository.
+/// The commit from which this program was built, followed by -dirty if the sources had changed;
+/// empty if they were not in a repository.
 std::string commit();
 
 }  // namespace gt

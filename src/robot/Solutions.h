@@ -8,28 +8,28 @@
 
 namespace gt {
 
-/// What a program has of a robot: all tasks, with the solutions that are linked into it, and the
-/// parts of the configuration that these read.
+/// The tasks of a robot, with the solutions that are linked into a program, and the parts of the
+/// configuration that the solutions read.
 struct RobotModules {
   SolutionTable solutions;
   std::vector<ConfigurationPart> parts;
 
-  /// What lies on every blackboard from the start: the configuration, who the robot is and the
-  /// process's clock.
+  /// Representations on every blackboard from the start: the configuration, the robot's identity
+  /// and the process's clock.
   std::vector<const RepresentationType*> given() const;
   /// All types of messages between a robot with these modules and its tools.
   std::vector<const RepresentationType*> messageTypes() const;
 };
 
-/// All tasks of the robot, without solutions, and what every process may read.
+/// All tasks of the robot, without solutions, and the common parts of the configuration.
 RobotModules tasks();
-/// The motion descriptions, which motion and behavior read.
+/// Adds the motion descriptions, which motion and behavior read.
 void addMotionNet(RobotModules& modules);
 
 /// All tasks of the robot and all their solutions.
 const RobotModules& allModules();
 const SolutionTable& solutions();
-/// What a tool knows of robots.
+/// The message types and schemas that a tool knows of robots.
 const Vocabulary& robotVocabulary();
 
 }  // namespace gt

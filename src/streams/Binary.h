@@ -12,9 +12,10 @@
 #include "streams/BinaryLayout.h"
 #include "streams/Shape.h"
 
-/// The binary format: CDR as ROS 2 and DDS write it (OMG DDS-XTypes 1.3, 7.4: plain XCDR1, little
-/// endian). Four bytes of header, then the values, each aligned to its size from the header's end;
-/// texts and lists begin with a length of 32 bits, enumerations and booleans are one byte.
+/// The binary format: CDR as used by ROS 2 and DDS (OMG DDS-XTypes 1.3, 7.4: plain XCDR1, little
+/// endian). A header of four bytes is followed by the values. Each value is aligned to its size,
+/// counted from the header's end. Texts and lists begin with a length of 32 bits; enumerations and
+/// booleans are one byte.
 namespace gt {
 namespace cdr {
 
@@ -37,7 +38,7 @@ class Counter {
   std::size_t size_ = 0;
 };
 
-/// Writes a stream to memory that has room for it.
+/// Writes a stream to memory, which must have enough room.
 class Writer {
  public:
   explicit Writer(std::byte* begin) : begin_{begin} {}
@@ -48,8 +49,8 @@ class Writer {
     std::memcpy(begin_ + size_, data, n);
     size_ += n;
   }
-  /// Writes a value of a fixed type if it begins where most of them do: aligned, or behind another
-  /// one. False, and nothing is written, if not.
+  /// Writes a value of a fixed type at once if it begins at one of the two usual positions:
+  /// aligned, or behind another value of its type. Otherwise writes nothing and returns false.
   template <typename T>
   bool putWhole(const T& value) {
     return putWholeAt<0>(value) || putWholeAt<behindAnother<T>()>(value);
@@ -114,8 +115,8 @@ void put(Sink& sink, const T& value) {
     });
 }
 
-/// Reads a stream from memory, never beyond its end. Its functions return false if the stream does
-/// not hold what was asked for; error() then states what and where.
+/// Reads a stream from memory, never beyond its end. The functions return false if the stream does
+/// not contain the requested data; error() then states what is wrong and where.
 class Reader {
  public:
   explicit Reader(std::span<const std::byte> bytes) : bytes_{bytes} {}
@@ -132,21 +133,22 @@ class Reader {
     at_ += n;
     return true;
   }
-  /// Reads a value of a fixed type if it is whole and begins where most of them do, as Writer does.
-  /// False, and nothing is taken, if not.
+  /// Reads a value of a fixed type at once if it is complete and begins at one of the two usual
+  /// positions, as Writer::putWhole does. Otherwise reads nothing and returns false.
   template <typename T>
   bool takeWhole(T& value) {
     return takeWholeAt<0>(value) || takeWholeAt<behindAnother<T>()>(value);
   }
-  /// The bytes that follow; there must be that many.
+  /// The next bytes; the caller must check with left() that there are enough.
   const std::byte* next() const { return bytes_.data() + at_; }
   std::size_t left() const { return bytes_.size() - at_; }
 
   bool fail(std::string_view what);
   bool noValue(int number);
-  /// Whether nothing is left but what DDS appends to reach a multiple of four bytes.
+  /// Returns whether the rest of the data is only the padding that DDS appends to reach a multiple
+  /// of four bytes.
   bool finish();
-  /// Names the field where the failure was, from the inside to the outside.
+  /// Adds the name of the field to the error's path, from the inside to the outside.
   bool failedIn(std::string_view name);
   bool failedIn(std::size_t index);
   Error error() const { return error_.value_or(Error{}); }
@@ -175,7 +177,7 @@ Error headerError(std::span<const std::byte> bytes);
 template <typename T>
 bool get(Reader& reader, T& value);
 
-/// Takes bytes of which each must be less than a limit.
+/// Reads values of one byte each; fails if one of them is not a value of the type.
 template <typename T>
 bool getBytes(Reader& reader, T* data, std::size_t count) {
   if (count > reader.left()) return reader.fail("the data ends too early");
@@ -210,7 +212,7 @@ bool getScalar(Reader& reader, T& value) {
 template <typename T>
 bool get(Reader& reader, T& value) {
   constexpr Kind kind = kindOf<T>;
-  // What is wrong with a value is found out step by step.
+  // On a failure the value is read again step by step to find the error.
   if constexpr (isFixedGroup<T>)
     if (reader.takeWhole(value)) return true;
   if constexpr (kind == Kind::number)
@@ -258,7 +260,7 @@ void encodeTo(const T& value, std::byte* out) {
   cdr::put(writer, value);
 }
 
-/// Appends a value.
+/// Appends the encoded value to `out`.
 template <Streamable T>
 void encode(const T& value, std::vector<std::byte>& out) {
   const std::size_t begin = out.size();
@@ -266,8 +268,8 @@ void encode(const T& value, std::vector<std::byte>& out) {
   encodeTo(value, out.data() + begin);
 }
 
-/// Reads a value that fills all the bytes. On an error the value may be changed in part; it stays
-/// valid. The error's field is the path of what could not be read.
+/// Reads a value that must fill all the bytes. On an error a part of the value may be changed; it
+/// stays valid. The error's field is the path of the field that could not be read.
 template <Streamable T>
 Result<void> decode(std::span<const std::byte> bytes, T& value) {
   if (!cdr::isHeaded(bytes)) return cdr::headerError(bytes);

@@ -7,9 +7,9 @@
 
 #include "streams/Shape.h"
 
-/// What is known of a type's place in a CDR stream when the program is compiled. Types without
-/// texts and lists are written and read without asking for alignment or for the end of the data at
-/// each number.
+/// Positions of a type's parts in a CDR stream, as far as they are known at compile time. Types
+/// without texts and lists are written and read without checking alignment and the end of the data
+/// at each number.
 namespace gt::cdr {
 
 static_assert(std::endian::native == std::endian::little);
@@ -20,7 +20,7 @@ using PartType = std::remove_cvref_t<decltype(Shape<T>::template part<i>(std::de
 template <typename T, std::size_t... i>
 constexpr std::size_t uniformPartSize(std::index_sequence<i...>);
 
-/// The size of the numbers of which a type consists if all have the same one; 0 otherwise.
+/// The size in bytes of the numbers in a type if all are of the same size; 0 otherwise.
 template <typename T>
 constexpr std::size_t uniformSize() {
   using S = Shape<T>;
@@ -41,7 +41,7 @@ constexpr std::size_t uniformPartSize(std::index_sequence<i...>) {
   return sizes[0];
 }
 
-/// The least number of bytes that a value of a type takes.
+/// The least number of bytes that a value of a type takes in a stream.
 template <typename T>
 constexpr std::size_t leastSize() {
   using S = Shape<T>;
@@ -97,11 +97,12 @@ constexpr bool isOrdered() {
     return false;
 }
 
-/// A type that lies in memory as it does in the stream, so that whole blocks are copied at once.
+/// Whether a type has the same layout in memory as in the stream, so that whole blocks are copied
+/// at once.
 template <typename T>
 constexpr bool isBlock = uniformSize<T>() > 0 && sizeof(T) == leastSize<T>() && isOrdered<T>();
 
-/// A type of one byte of which only the lowest values are valid.
+/// Whether a type has one byte of which only the lowest values are valid.
 template <typename T>
 constexpr bool isByte = (kindOf<T> == Kind::boolean || kindOf<T> == Kind::enumeration) &&
                         sizeof(T) == 1;
@@ -115,7 +116,7 @@ constexpr std::size_t valueCount() {
     return enumCount<T>;
 }
 
-/// Whether bytes all are values of a type of one byte.
+/// Whether all bytes are valid values of a type of one byte.
 template <typename T>
 bool areValues(const std::byte* bytes, std::size_t count) {
   std::byte highest{0};
@@ -123,8 +124,9 @@ bool areValues(const std::byte* bytes, std::size_t count) {
   return std::to_integer<std::size_t>(highest) < valueCount<T>();
 }
 
-/// The first element of an array or list. That of an array lies where the array does; asked in this
-/// way because gcc 12 folds these functions of all arrays into one and then warns of its bounds.
+/// The first element of an array or list. The address of an array is used as that of its first
+/// element, because gcc 12 merges the accessors of all arrays into one and then warns about its
+/// bounds.
 template <typename T>
 auto* firstElement(T& sequence) {
   using S = Shape<std::remove_const_t<T>>;
@@ -145,7 +147,7 @@ auto& elementAt(T& sequence, std::size_t i) {
     return sequence[i];
 }
 
-/// Whether all values of a type take the same room: there is no text and no list in it.
+/// Whether all values of a type have the same size, because it contains neither texts nor lists.
 template <typename T>
 constexpr bool isFixed() {
   using S = Shape<T>;
@@ -161,7 +163,7 @@ constexpr bool isFixed() {
   else return true;
 }
 
-/// The size of the largest number in a type.
+/// The size of the largest number in a type, in bytes.
 template <typename T>
 constexpr std::size_t alignmentOf() {
   using S = Shape<T>;
@@ -181,7 +183,7 @@ constexpr std::size_t aligned(std::size_t at, std::size_t n) {
   return (at + n - 1) & ~(n - 1);
 }
 
-/// Where a value of a fixed type ends that begins at `at`.
+/// End position of a value of a fixed type that begins at `at`, in bytes.
 template <typename T>
 constexpr std::size_t fixedEnd(std::size_t at) {
   using S = Shape<T>;
@@ -205,7 +207,7 @@ constexpr std::size_t fixedEnd(std::size_t at) {
     return at + 1;
 }
 
-/// Where the parts of a record begin that itself begins at `at`.
+/// Begin position of a part of a record that begins at `at`, in bytes.
 template <typename T, std::size_t part>
 constexpr std::size_t partBegin(std::size_t at) {
   if constexpr (part == 0)
@@ -214,19 +216,21 @@ constexpr std::size_t partBegin(std::size_t at) {
     return fixedEnd<PartType<T, part - 1>>(partBegin<T, part - 1>(at));
 }
 
-/// A group of values of which each has its place when the program is compiled.
+/// Whether a type is a group of values whose positions are known at compile time.
 template <typename T>
 constexpr bool isFixedGroup =
     (kindOf<T> == Kind::record || kindOf<T> == Kind::array) && isFixed<T>() && fixedEnd<T>(0) > 0;
 
-/// Where, counted from an aligned place, a value of a fixed type begins that follows another one.
+/// Begin of a value of a fixed type that directly follows another one, in bytes after an aligned
+/// position.
 template <typename T>
 constexpr std::size_t behindAnother() {
   return fixedEnd<T>(0) % alignmentOf<T>();
 }
 
-/// Calls visit.operator()<phase>(offset, element) for each element of an array that begins at a
-/// phase, with the element's own phase and its offset from there, until visit returns false.
+/// Calls visit.operator()<phase>(offset, element) for each element of an array until visit returns
+/// false. The array begins `phase` bytes after a multiple of eight; visit gets the element's own
+/// phase and its offset from the array's begin.
 template <std::size_t phase, typename T, typename Visit>
 bool forEachFixedElement(T& array, Visit&& visit) {
   using S = Shape<std::remove_const_t<T>>;
@@ -245,7 +249,7 @@ bool forEachFixedElement(T& array, Visit&& visit) {
   }
 }
 
-/// As forEachFixedElement, for the parts of a record.
+/// Like forEachFixedElement, for the parts of a record.
 template <std::size_t phase, typename T, typename Visit>
 bool forEachFixedPart(T& record, Visit&& visit) {
   using Record = std::remove_const_t<T>;
@@ -257,8 +261,8 @@ bool forEachFixedPart(T& record, Visit&& visit) {
   (std::make_index_sequence<Shape<Record>::partCount>{});
 }
 
-/// Writes a value of a fixed type that begins `phase` bytes after a multiple of eight, to memory
-/// that has room for it.
+/// Writes a value of a fixed type to memory with enough room. The value begins `phase` bytes after
+/// a multiple of eight.
 template <std::size_t phase, typename T>
 void putFixed(std::byte* out, const T& value) {
   constexpr Kind kind = kindOf<T>;
@@ -280,8 +284,8 @@ void putFixed(std::byte* out, const T& value) {
     forEachFixedElement<phase>(value, each);
 }
 
-/// Reads a value of a fixed type; all its bytes are there. False if one is no value of its type:
-/// the value may be changed in part then.
+/// Reads a value of a fixed type; all of its bytes must be present. Returns false if one of them is
+/// not a valid value; a part of the value may be changed then.
 template <std::size_t phase, typename T>
 bool getFixed(const std::byte* in, T& value) {
   constexpr Kind kind = kindOf<T>;

@@ -7,8 +7,8 @@
 #include "base/Findings.h"
 #include "streams/Type.h"
 
-/// The config format (report B.4, D.2): lines `name value ...` or `name = value ...`, fields of
-/// fields by a dotted path or below a line `[path]`; words and comments as in base/Lines.h.
+/// The config format (report B.4, D.2): lines `name value ...` or `name = value ...`. Nested fields
+/// have a dotted path, or stand below a line `[path]`. Words and comments are as in base/Lines.h.
 /// Fields that are not mentioned keep their values.
 namespace gt {
 
@@ -16,13 +16,13 @@ namespace gt {
 struct PathInfo {
   std::string path;  ///< As in "info.width", "flags.0.distance", "angles.headTilt".
   PartInfo info;     ///< Of the last field on the path.
-  Value value;       ///< Flat: one or more scalars.
+  Value value;       ///< One or more scalars.
 };
 
-/// What of a config file is read.
+/// Selects a part of a config file.
 struct ConfigOptions {
-  std::string section{};  ///< If given, only this section is read, and there must be one.
-  bool common = false;    ///< Only what stands before the first section is read.
+  std::string section{};  ///< If given, only this section is read, and it must exist.
+  bool common = false;    ///< Only the lines before the first section are read.
 };
 
 /// A line [NAME] of a config file.
@@ -41,8 +41,8 @@ Result<std::string> getByPath(ConstValue root, std::string_view path);
 std::vector<PathInfo> paths(Value root);
 }  // namespace detail
 
-/// Reads text in the config format into a value; returns all errors: unknown or repeated names,
-/// wrong or missing values, values out of range. If there is one, the value stays as it was.
+/// Reads text in the config format into a value. Returns all errors: unknown or repeated names,
+/// wrong or missing values, values out of range. After an error the value is unchanged.
 template <Streamable T>
 Findings collectConfig(std::string_view text, const std::string& sourceName, T& value,
                        const ConfigOptions& options = {}) {
@@ -52,7 +52,7 @@ Findings collectConfig(std::string_view text, const std::string& sourceName, T& 
   return findings;
 }
 
-/// The same; returns the first error.
+/// Like collectConfig, but returns only the first error.
 template <Streamable T>
 Result<void> parseConfig(std::string_view text, const std::string& sourceName, T& value,
                          const ConfigOptions& options = {}) {
@@ -66,8 +66,8 @@ Result<void> readConfig(const std::string& path, T& value, const ConfigOptions& 
   return text ? parseConfig(*text, path, value, options) : text.error();
 }
 
-/// A value in the config format, with units and sentences as comments; reading it gives the same
-/// value, bit for bit except for the payload of NaNs.
+/// Writes a value in the config format, with units and sentences as comments. Reading it yields the
+/// same value, bit for bit except for the payload of NaNs.
 template <Streamable T>
 std::string writeConfig(const T& value) {
   std::string out;
@@ -75,8 +75,8 @@ std::string writeConfig(const T& value) {
   return out;
 }
 
-/// Sets the field at a path from text as in a config file. Unknown paths, wrong values and values
-/// out of range are errors that change nothing.
+/// Sets the field at a path from text in the format of a config file. Unknown paths, wrong values
+/// and values out of range are errors that change nothing.
 template <Streamable T>
 Result<void> setByPath(T& value, std::string_view path, std::string_view text) {
   T copy = value;
@@ -85,14 +85,15 @@ Result<void> setByPath(T& value, std::string_view path, std::string_view text) {
   return result;
 }
 
-/// The field at a path as text, as in a config file.
+/// Returns the field at a path as text in the format of a config file.
 template <Streamable T>
 Result<std::string> getByPath(const T& value, std::string_view path) {
   return detail::getByPath(valueOf(value), path);
 }
 
-/// All fields that can be read and set by path, with units, sentences and ranges. The entries
-/// refer to the value; those below a list of records only until its length changes.
+/// Returns all fields that can be read and set by path, with units, sentences and ranges. The
+/// entries refer to the value; those inside a list of records are valid only until its length
+/// changes.
 template <Streamable T>
 std::vector<PathInfo> paths(T& value) {
   return detail::paths(valueOf(value));

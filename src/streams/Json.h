@@ -6,8 +6,8 @@
 #include "base/Result.h"
 #include "streams/Type.h"
 
-/// Who works on values of JSON themselves includes nlohmann/json.hpp, which takes long to compile;
-/// for others there are jsonText() and readJson().
+/// Include nlohmann/json.hpp only to work on JSON values directly, because it takes long to
+/// compile; otherwise use jsonText() and readJson().
 namespace gt {
 
 using Json = nlohmann::ordered_json;
@@ -19,15 +19,16 @@ std::string jsonText(ConstValue value, int indent);
 Result<void> readJson(std::string_view text, const std::string& sourceName, Value value);
 }  // namespace detail
 
-/// A value as Json: records as objects, enumerations by name, numbers that are not finite as null.
+/// Converts a value to Json: records become objects, enumerations their names, and numbers that are
+/// not finite null.
 template <Streamable T>
 auto toJson(const T& value) {
   return detail::toJson(valueOf(value));
 }
 
-/// Reads a value from JSON. Fields that are not mentioned keep their values; unknown fields and
-/// values of a wrong kind or out of range are errors that change nothing. The error's field is the
-/// path.
+/// Reads a value from JSON. Fields that are not mentioned keep their values. Unknown fields and
+/// values that have a wrong kind or are out of range are errors that change nothing. The error's
+/// field is the path.
 template <Streamable T>
 Result<void> fromJson(const Json& json, T& value) {
   T copy = value;
@@ -40,8 +41,8 @@ Result<void> fromJson(const Json& json, T& value) {
 /// the text.
 Result<Json> parseJson(std::string_view text, const std::string& sourceName);
 
-/// A value as a text of JSON: on one line, or with each field on a line of its own, `indent` blanks
-/// further than what it is a part of.
+/// Writes a value as JSON: on one line, or with each field on a line of its own, indented by
+/// `indent` blanks per level.
 template <Streamable T>
 std::string jsonText(const T& value, int indent = -1) {
   return detail::jsonText(valueOf(value), indent);

@@ -16,19 +16,17 @@
 
 namespace gt {
 
-/// The id under which messages of a type travel: every reflected type is a message type, nothing is
-/// listed anywhere.
+/// The id of a message type. Every reflected type is a message type and needs no registration.
 template <typename T>
 constexpr std::uint32_t messageId() {
   return hashOf(typeName<T>());
 }
-/// An id for messages that are written by streams and have no type (MessageStreams.h).
+/// An id for messages that are written by streams and have no C++ type (MessageStreams.h).
 constexpr std::uint32_t messageId(std::string_view name) {
   return hashOf(name);
 }
 
-/// One message as it lies in a queue. The bytes are the queue's and stay valid as long as it is not
-/// changed.
+/// A message in a queue. The bytes belong to the queue and are valid until the queue is changed.
 struct Message {
   std::uint32_t id;
   Time time;
@@ -38,8 +36,9 @@ struct Message {
   bool is() const {
     return id == messageId<T>();
   }
-  /// Reads the message, as often as one likes (the report's resetReadPosition is not needed). It
-  /// may come from outside: what its type does not allow is an error (`checked`).
+  /// Reads the message. Can be called repeatedly (the report's resetReadPosition is not needed).
+  /// The message may come from outside: values that its type does not allow are an error
+  /// (`checked`).
   template <typename T>
   Result<void> read(T& value) const {
     auto done = decode(bytes, value);
@@ -47,20 +46,20 @@ struct Message {
   }
 };
 
-/// How many messages of one type were dropped.
+/// Number of dropped messages of one type.
 struct DroppedMessage {
   std::uint32_t id = 0;
   std::string type;
   std::uint64_t count = 0;
 
   static constexpr auto fields() {
-    return Fields{field<&DroppedMessage::id>("0: of all further types"),
-                  field<&DroppedMessage::type>("empty if only the id is known"),
+    return Fields{field<&DroppedMessage::id>("message id; 0: sum of all further types"),
+                  field<&DroppedMessage::type>("name of the type; empty if only the id is known"),
                   field<&DroppedMessage::count>()};
   }
 };
 
-/// Counts what a queue had no room for. Written by the queue itself, see
+/// Counts the messages for which a queue had no room. Written by the queue itself, see
 /// MessageQueue::reportDropped.
 struct DroppedMessages {
   std::vector<DroppedMessage> types;
@@ -68,20 +67,20 @@ struct DroppedMessages {
   static constexpr auto fields() { return Fields{field<&DroppedMessages::types>()}; }
 };
 
-/// A list of messages of any types with their time stamps, in a piece of memory that is allocated
-/// once (report E.1). Where the report's robot crashed when a queue overflowed, this one drops the
-/// message and counts it by its type.
+/// A list of messages of any types with their time stamps, in a block of memory that is allocated
+/// once (report E.1). If it overflows, it drops the message and counts the drop by its type,
+/// whereas the report's robot crashed.
 class MessageQueue {
  public:
   explicit MessageQueue(std::size_t capacity = 1 << 20);
   MessageQueue(const MessageQueue& other);
   MessageQueue(MessageQueue&& other) noexcept;
-  /// Takes the other's messages; the queue keeps its own memory.
+  /// Copies the messages of another queue; this queue keeps its own memory.
   MessageQueue& operator=(const MessageQueue& other);
   MessageQueue& operator=(MessageQueue&& other) noexcept;
   ~MessageQueue() = default;
 
-  /// Appends a message; false if there was no room for it.
+  /// Appends a message. If the queue is full, returns false and counts the drop.
   template <typename T>
   bool write(Time time, const T& value) {
     std::byte* place = reserve(messageId<T>(), typeName<T>(), time, encodedSize(value));
@@ -89,11 +88,11 @@ class MessageQueue {
     return place != nullptr;
   }
   bool append(const Message& message);
-  /// Appends a message of a size and returns the place for its bytes. If the queue is full, returns
-  /// null and counts the drop.
+  /// Appends a message of a size (bytes) and returns the place for its bytes. If the queue is full,
+  /// returns null and counts the drop.
   std::byte* reserve(std::uint32_t id, std::string_view type, Time time, std::size_t size);
 
-  /// Copies and moves messages to the end of another queue: all of them, or those of one id.
+  /// Copies or moves messages to the end of another queue: all messages, or those of one id.
   void copyAllMessages(MessageQueue& to) const;
   void copyMessages(std::uint32_t id, MessageQueue& to) const;
   void moveAllMessages(MessageQueue& to);
@@ -101,13 +100,13 @@ class MessageQueue {
   void clear() { size_ = 0; }
 
   bool empty() const { return size_ == 0; }
-  /// In bytes.
+  /// Size of all messages, in bytes.
   std::size_t size() const { return size_; }
   std::size_t capacity() const { return capacity_; }
-  /// How many messages there was no room for since the last report.
+  /// Number of messages dropped since the last report.
   std::uint64_t dropped() const;
-  /// If messages were dropped, appends a message that states how many of which types, and begins to
-  /// count anew. It stays pending while there is no room for it either.
+  /// If messages were dropped, appends a message with their number by type and resets the counters.
+  /// If the queue has no room for the report, it stays pending.
   void reportDropped(Time now);
 
   /// Calls handler(message) for each message, the oldest first.
@@ -119,7 +118,8 @@ class MessageQueue {
       at += headerSize + message.bytes.size();
     }
   }
-  /// Removes the messages for which condition(message) is true; it is asked for the oldest first.
+  /// Removes the messages for which condition(message) is true. The condition is checked for the
+  /// oldest message first.
   template <typename Condition>
   void removeIf(Condition&& condition) {
     std::size_t end = 0;
@@ -135,8 +135,8 @@ class MessageQueue {
     size_ = end;
   }
 
-  /// The queue as bytes, for a wire; `assign` takes them back and rejects what is not a queue, or
-  /// larger than this one can be.
+  /// The queue as bytes, for transmission. `assign` restores a queue from bytes; it rejects bytes
+  /// that are not a queue, or exceed the capacity.
   std::span<const std::byte> bytes() const { return {bytes_.get(), size_}; }
   bool assign(std::span<const std::byte> bytes);
 
@@ -154,7 +154,7 @@ class MessageQueue {
   std::size_t capacity_;
   std::unique_ptr<std::byte[]> bytes_;
   std::size_t size_ = 0;
-  /// In the order in which the types were dropped first; the last entry is for all further ones.
+  /// In the order of their first drop; the last entry counts all further types.
   std::array<Dropped, 16> dropped_;
   bool anyDropped_ = false;
 };

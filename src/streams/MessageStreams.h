@@ -7,13 +7,13 @@
 /// and faster.
 namespace gt {
 
-/// A stream of messages into a queue, which must outlive it: what was written since the last one
-/// was finished becomes the next one.
+/// A stream that writes messages into a queue, which must outlive it. Each message consists of the
+/// data written since the previous one was finished.
 template <std::derived_from<StreamWriter> Format>
 class OutMessage : public OutStream<OutMemory, Format> {
  public:
   explicit OutMessage(MessageQueue& queue) : queue_{queue} {}
-  /// Appends the message to the queue; false if there was no room for it.
+  /// Appends the message to the queue. Returns false if the queue is full.
   bool finishMessage(std::uint32_t id, Time time) {
     const bool done = queue_.append({id, time, this->bytes()});
     this->reset();
@@ -24,8 +24,8 @@ class OutMessage : public OutStream<OutMemory, Format> {
   MessageQueue& queue_;
 };
 
-/// Reads from a message of a queue, which must outlive it. A message can be read as often as one
-/// likes, each time by a new stream.
+/// Reads a message of a queue, which must outlive the stream. A message can be read repeatedly,
+/// each time by a new stream.
 class InMessageQueue : public InMemory {
  public:
   explicit InMessageQueue(const Message& message) : InMemory{message.bytes} {}

@@ -12,15 +12,15 @@
 
 namespace gt {
 
-/// The values that a field may take, both ends included; low == high means any.
+/// The range of a field's values, both limits included; low == high means unlimited.
 struct Range {
   double low = 0, high = 0;
 
   constexpr bool bounds() const { return low < high; }
 };
 
-/// What a field means, in words that stand by themselves. One that is empty, or leans on a field
-/// beside it, does not compile: tools show each alone.
+/// The description of a field. It must be understandable by itself, because tools show it without
+/// the other fields. A sentence that is empty or refers to another field does not compile.
 struct Sentence {
   consteval Sentence() = default;
   // NOLINTNEXTLINE(google-explicit-constructor): a text is meant to become a sentence.
@@ -35,7 +35,7 @@ struct Sentence {
   std::string_view text;
 };
 
-/// One field of a struct: where it lies and what is to be known about it.
+/// One field of a struct: its member, name, unit, description and range.
 template <typename Class, typename Type>
 struct Field {
   std::string_view name;
@@ -44,15 +44,15 @@ struct Field {
   std::string_view doc;
   Range range;
 
-  /// The same with a name that is not the member's.
+  /// The same field under another name than the member's.
   constexpr Field named(std::string_view other) const { return {other, member, unit, doc, range}; }
 };
 
-/// The name of a member that a pointer points to, without the underscore of a private one.
+/// The name of the member that a pointer refers to, without the underscore of a private one.
 template <auto member>
 constexpr auto memberName() {
-  // The compiler's text ends with it, in front of a bracket. Written so that it costs the compiler
-  // little: there are more than a thousand.
+  // The compiler's text ends with the name and a bracket. Optimized for compile time, as there are
+  // more than a thousand fields.
   constexpr std::string_view s{__PRETTY_FUNCTION__, sizeof __PRETTY_FUNCTION__ - 1};
   const std::size_t end = s.size() - 1;
   std::size_t begin = end;
@@ -71,8 +71,8 @@ struct FieldOfMember<T Class::*> {
 template <auto member>
 using FieldOf = typename detail::FieldOfMember<decltype(member)>::Type;
 
-/// Declares a field in a struct's `fields()`; from that one list come all streams, schemas, JSON
-/// and live parameters.
+/// Declares a field in a struct's `fields()`. All streams, schemas, JSON and live parameters are
+/// derived from that list.
 template <auto member>
 constexpr FieldOf<member> field(Unit unit, Sentence doc, Range range = {}) {
   return {memberName<member>(), member, unitText(unit), doc.text, range};
@@ -81,7 +81,7 @@ template <auto member>
 constexpr FieldOf<member> field(Sentence doc, Range range = {}) {
   return {memberName<member>(), member, "", doc.text, range};
 }
-/// For a name that says all.
+/// For a field whose name is sufficient as a description.
 template <auto member>
 constexpr FieldOf<member> field(Unit unit, Range range = {}) {
   return {memberName<member>(), member, unitText(unit), "", range};
@@ -116,8 +116,8 @@ struct FieldSlots<std::index_sequence<i...>, F...> : FieldSlot<i, F>... {
 
 }  // namespace detail
 
-/// What `fields()` returns: the fields of a struct, in the order of declaration. A std::tuple would
-/// do, but takes the compiler half of its time in files that see many representations.
+/// The result of `fields()`: the fields of a struct, in the order of declaration. Replaces
+/// std::tuple, which takes half of the compile time of files with many representations.
 template <typename... F>
 struct Fields : detail::FieldSlots<std::index_sequence_for<F...>, F...> {
   static constexpr std::size_t count = sizeof...(F);
@@ -131,7 +131,7 @@ struct Fields : detail::FieldSlots<std::index_sequence_for<F...>, F...> {
   }
 };
 
-/// The fields of a struct that adds some to those of its base.
+/// Appends the fields of a derived struct to those of its base.
 template <typename... A, typename... B>
 constexpr Fields<A..., B...> operator+(const Fields<A...>& base, const Fields<B...>& own) {
   return [&]<std::size_t... i, std::size_t... j>(std::index_sequence<i...>,
@@ -153,15 +153,15 @@ struct AnyValue {
   template <typename T>
   operator T() const;
 };
-/// Whether braces around that many values initialize a T.
+/// Whether a T can be initialized by braces around this number of values.
 template <typename T, std::size_t... i>
 constexpr bool takes(std::index_sequence<i...>) {
   return requires {
     T{(static_cast<void>(i), AnyValue{})...};
   };
 }
-/// Whether an aggregate has at least that many members. Asked for two numbers only, as the compiler
-/// looks for a conversion to each member.
+/// Whether an aggregate has at least this number of members. Checked for two numbers only, as the
+/// compiler searches a conversion to each member.
 template <typename T, std::size_t count>
 constexpr bool hasMembers = takes<T>(std::make_index_sequence<count>{});
 
@@ -187,8 +187,8 @@ constexpr bool membersAreDistinct() {
   return same == decltype(T::fields())::count;
 }
 
-/// Does not compile for a struct whose `fields()` are not its members; the compiler's next lines
-/// name the struct.
+/// Does not compile for a struct whose `fields()` differ from its members; the compiler's next
+/// lines name the struct.
 template <typename T>
 struct CheckedFields {
   static constexpr std::size_t count = decltype(T::fields())::count;
@@ -204,8 +204,8 @@ struct CheckedFields {
 
 }  // namespace detail
 
-/// True if `fields()` names every member of an aggregate exactly once. All that is streamed is
-/// checked by itself: a forgotten field does not compile.
+/// Whether `fields()` names every member of an aggregate exactly once. Checked automatically for
+/// everything that is streamed: a forgotten field does not compile.
 template <typename T>
 constexpr bool complete = detail::hasMembers<T, decltype(T::fields())::count> &&
                           !detail::hasMembers<T, decltype(T::fields())::count + 1> &&

@@ -7,12 +7,12 @@
 
 namespace gt {
 
-/// What a message of a log or of the net consists of, in the language of ROS 2 (`ros2msg`).
+/// The definition of a message of a log or of the network, in the language of ROS 2 (`ros2msg`).
 struct Schema {
   std::string name;  ///< As in gt2003_msgs/msg/BallModel.
   std::string text;
 
-  /// Of name and text: two schemas with the same id are the same.
+  /// Hash of name and text; equal schemas have the same id.
   std::uint32_t id() const { return hashOf(text, hashOf(name)); }
 };
 
@@ -20,9 +20,10 @@ namespace detail {
 Schema schemaOf(const Type& type);
 }
 
-/// The schema that a type's fields yield: names in ROS's spelling (lastSeen is last_seen), units,
-/// sentences and ranges as comments, enumerations as uint8 with constants, arrays that are elements
-/// of others as messages of their own. A type may bring a schema of its own, `T::schema()`.
+/// The schema that is derived from a type's fields: names in ROS's spelling (lastSeen is
+/// last_seen); units, sentences and ranges as comments; enumerations as uint8 with constants;
+/// arrays inside of arrays or lists as messages of their own. A type may define its own schema,
+/// `T::schema()`.
 template <Streamable T>
 Schema schemaOf() {
   if constexpr (requires { T::schema(); })
@@ -33,7 +34,7 @@ Schema schemaOf() {
 
 /// A name in the spelling that ROS demands for fields: lastSeen is last_seen.
 std::string snakeCase(std::string_view name);
-/// A text with capitals in place of small letters.
+/// Converts a text to upper case.
 std::string upperCase(std::string_view text);
 
 /// A point in time as ROS 2 has it (builtin_interfaces/Time).
@@ -48,7 +49,7 @@ struct RosTime {
   }
 };
 
-/// When and in which frame of reference something was measured (std_msgs/Header).
+/// Time and frame of reference of a measurement (std_msgs/Header).
 struct RosHeader {
   RosTime stamp;
   std::string frameId;

@@ -16,17 +16,16 @@
 
 namespace gt {
 
-/// What a streamable value is made of: all formats know these seven kinds and no others.
+/// The kinds of streamable values. All formats support exactly these seven kinds.
 enum class Kind { boolean, number, enumeration, text, array, list, record };
 
-/// A part of a record without its type: what a field's declaration states about it.
+/// A part of a record without its type: the name, unit, description and range of its declaration.
 struct PartInfo {
   std::string_view name, unit, doc;
   Range range;
 };
 
-/// How a type is streamed. This is the one place that defines it, for every format; a type without
-/// a shape cannot be streamed.
+/// Defines how a type is streamed, for every format. A type without a shape cannot be streamed.
 template <typename T>
 struct Shape;
 
@@ -44,7 +43,7 @@ requires(std::integral<T> || std::same_as<T, float> || std::same_as<T, double>) 
   using Number = T;
 };
 
-/// A point in time is streamed as its milliseconds.
+/// A point in time is streamed as a number of milliseconds.
 template <>
 struct Shape<Time> {
   static constexpr Kind kind = Kind::number;
@@ -171,8 +170,8 @@ concept Streamable = requires {
   Shape<T>::kind;
 };
 
-/// Calls visit(info, part) for each part of a record, in order, until one returns false; returns
-/// whether none did.
+/// Calls visit(info, part) for each part of a record, in order, until visit returns false. Returns
+/// whether all calls returned true.
 template <typename T, typename Visit>
 constexpr bool forEachPart(T& record, Visit&& visit) {
   using S = Shape<std::remove_const_t<T>>;

@@ -31,12 +31,12 @@ class PhysicalOutStream {
   virtual void writeToStream(std::span<const std::byte> bytes) = 0;
 };
 
-/// Writes a file, whole or not at all: it is there once it is closed, see OutputFile.
+/// Writes a file completely or not at all: the file exists once it is closed, see OutputFile.
 class OutFile : public PhysicalOutStream {
  public:
   explicit OutFile(const std::string& path) : file_{OutputFile::open(path)} {}
   void writeToStream(std::span<const std::byte> bytes) override;
-  /// Returns whether all could be written.
+  /// Returns an error if not everything could be written.
   Result<void> close();
 
  private:
@@ -57,7 +57,7 @@ class OutMemory : public PhysicalOutStream {
   std::vector<std::byte> bytes_;
 };
 
-/// Determines the memory that storing would need.
+/// Counts the bytes that a stream would write.
 class OutSize : public PhysicalOutStream {
  public:
   void writeToStream(std::span<const std::byte> bytes) override { size_ += bytes.size(); }
@@ -68,12 +68,12 @@ class OutSize : public PhysicalOutStream {
   std::size_t size_ = 0;
 };
 
-/// A medium that gives bytes.
+/// A medium that bytes are read from.
 class PhysicalInStream {
  public:
-  /// All that there is to be read.
+  /// All data that has not been read.
   std::span<const std::byte> content() const { return content_; }
-  /// The error that kept the medium from being read, with the name of the source in any case.
+  /// The error that prevented reading the medium. It contains the name of the source in any case.
   const Error& source() const { return source_; }
   bool opened() const { return source_.what.empty(); }
 
@@ -135,11 +135,11 @@ class StreamReader {
   virtual ~StreamReader() = default;
   virtual void begin(std::span<const std::byte> content) { left_ = content; }
   virtual Result<void> readScalar(Value scalar) = 0;
-  /// In text, where the next entry is, from 1.
+  /// In text formats the line of the next entry, from 1.
   virtual int line() const { return 0; }
-  /// Whether nothing is left; in text, nothing but blanks.
+  /// Whether all data has been read; text formats ignore trailing blanks.
   virtual bool eof() { return left_.empty(); }
-  /// No list can have more elements than there are bytes left.
+  /// The number of bytes left, which limits the number of elements of a list.
   std::size_t left() const { return left_.size(); }
 
  protected:
@@ -159,7 +159,7 @@ class InBinary : public StreamReader {
   cdr::Reader reader_{{}};
 };
 
-/// Reads what OutText wrote; lines do not matter.
+/// Reads the output of OutText; line ends are treated as blanks.
 class InText : public StreamReader {
  public:
   Result<void> readScalar(Value scalar) override;
@@ -182,7 +182,7 @@ class InConfig : public InText {
 
  private:
   std::string section_;
-  std::string entries_;  ///< The content with blanks in place of all else.
+  std::string entries_;  ///< The content, with comments and other sections replaced by blanks.
 };
 
 // --- Streams
@@ -208,8 +208,8 @@ class Out {
   virtual void writeEndLine() = 0;
 };
 
-/// A stream that data is read from. After an error it reads nothing more; the value at which it
-/// happened may be changed in part, but stays valid.
+/// A stream that data is read from. After an error nothing more is read. The value that was being
+/// read may be changed in part, but stays valid.
 class In {
  public:
   virtual ~In() = default;
@@ -234,13 +234,13 @@ void writeValue(ConstValue value, StreamWriter& format, PhysicalOutStream& mediu
 Result<void> readValue(Value value, StreamReader& format);
 }  // namespace detail
 
-/// A medium for writing and a format make a stream.
+/// A stream that consists of a medium for writing and a format.
 template <std::derived_from<PhysicalOutStream> Medium, std::derived_from<StreamWriter> Format>
 class OutStream : public Out, public Medium {
  public:
   using Medium::Medium;
   void write(ConstValue value) override { detail::writeValue(value, format_, *this); }
-  /// Forgets what was written, and begins anew.
+  /// Discards the written data and starts again.
   void reset() requires requires(Medium& medium) { medium.reset(); }
   {
     Medium::reset();
@@ -254,7 +254,8 @@ class OutStream : public Out, public Medium {
   Format format_;
 };
 
-/// A medium for reading and a format make a stream. Arguments behind the medium's are the format's.
+/// A stream that consists of a medium for reading and a format. The format gets the arguments that
+/// follow the medium's.
 template <std::derived_from<PhysicalInStream> Medium, std::derived_from<StreamReader> Format>
 class InStream : public In, public Medium {
  public:

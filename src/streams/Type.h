@@ -11,7 +11,7 @@
 
 namespace gt {
 
-/// How a number lies in memory.
+/// The representation of a number in memory.
 enum class Number { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
 
 constexpr std::size_t numberSize(Number number) {
@@ -22,43 +22,49 @@ constexpr std::size_t numberSize(Number number) {
 struct Type;
 using TypeFunction = const Type& (*)();
 
-/// A part of a record: what its declaration states, and where it lies.
+/// A part of a record: its declaration and its position in memory.
 struct Part : PartInfo {
   TypeFunction type;
   void* (*in)(void* record);
 };
 
-/// A type as data: what formats need that are not worth a template for each type (text, config,
+/// A run-time description of a type, for formats that need no template for each type (text, config,
 /// JSON, schemas, access by path). Made from the Shape of a type by typeOf().
 struct Type {
   Kind kind = Kind::number;
   std::string_view name;                         ///< Without namespaces.
-  bool basic = false;                            ///< A record of the base library, like Vector2d.
-  Number number = Number::int8;                  ///< Of numbers and enumerations.
-  std::span<const std::string_view> names;       ///< Of an enumeration's values.
-  std::span<const std::string_view> indexNames;  ///< Of an array's elements, if they have names.
-  std::vector<Part> parts;                       ///< Of a record.
-  std::string_view (*validationError)(const void*) = nullptr;  ///< Of records that have one.
-  TypeFunction element = nullptr;                              ///< Of arrays and lists.
-  std::size_t count = 0;                                       ///< Of an array's elements.
-  void* (*at)(void*, std::size_t) = nullptr;                   ///< An element of an array or list.
-  std::size_t (*length)(const void*) = nullptr;                ///< Of a list.
-  void (*resize)(void*, std::size_t) = nullptr;                ///< A list.
+  bool basic = false;                            ///< Whether it is a record of the base library,
+                                                 ///< like Vector2d.
+  Number number = Number::int8;                  ///< Representation of a number or enumeration.
+  std::span<const std::string_view> names;       ///< Names of an enumeration's values.
+  std::span<const std::string_view> indexNames;  ///< Names of an array's elements; empty if they
+                                                 ///< have none.
+  std::vector<Part> parts;                       ///< Parts of a record.
+  std::string_view (*validationError)(const void*) = nullptr;  ///< Check of a record; null if it
+                                                               ///< has none.
+  TypeFunction element = nullptr;                              ///< Type of an array's or list's
+                                                               ///< elements.
+  std::size_t count = 0;                                       ///< Number of an array's elements.
+  void* (*at)(void*, std::size_t) = nullptr;                   ///< Accesses an element of an array
+                                                               ///< or list.
+  std::size_t (*length)(const void*) = nullptr;                ///< Number of a list's elements.
+  void (*resize)(void*, std::size_t) = nullptr;                ///< Changes the number of a list's
+                                                               ///< elements.
 };
 
-/// A value of a type that is known at run time only. It does not own what it refers to.
+/// A value whose type is known at run time only. Does not own the value.
 struct Value {
   const Type* type = nullptr;
   void* data = nullptr;
 
-  /// Of arrays and lists.
+  /// Number of elements of an array or list.
   std::size_t size() const;
   Value element(std::size_t i) const;
-  /// Of records.
+  /// A part of a record.
   Value part(const Part& p) const;
 };
 
-/// A value that can only be read.
+/// A read-only value whose type is known at run time only.
 class ConstValue {
  public:
   ConstValue(const Type& type, const void* data) : value_{&type, const_cast<void*>(data)} {}
@@ -177,21 +183,22 @@ bool isFlat(const Type& type);
 /// The number of scalars in a flat value that holds no list.
 std::size_t width(const Type& type);
 
-/// A scalar (boolean, number, enumeration or text) as text: numbers so short that reading them
-/// gives the same bits, enumerations by name.
+/// Writes a scalar (boolean, number, enumeration or text) as text: numbers with the fewest digits
+/// that read back to the same bits, enumerations by name.
 std::string scalarText(ConstValue scalar);
 
-/// Sets a scalar from text. An error states what was expected if the text is no such value or lies
-/// out of the range; the scalar is as it was then.
+/// Sets a scalar from text. If the text is not a valid value or is out of the range, returns an
+/// error with the expected values and leaves the scalar unchanged.
 Result<void> setScalar(Value scalar, std::string_view text, Range range = {});
 
-/// Whether a value is one that its type allows: each number lies in its field's range, and no
-/// record has a validation error, which its `std::string_view validationError() const` returns
-/// (empty if it is valid). For what comes from outside, at the door where it comes in; the error's
-/// field is the path.
+/// Checks whether a value is valid: each number must lie in its field's range, and no record may
+/// have a validation error. A record reports one by `std::string_view validationError() const`,
+/// which returns an empty text if the record is valid. Use it for all data from outside, where it
+/// enters the program. The error's field is the path.
 Result<void> checked(ConstValue value);
 
-/// Whether all numbers in a value are finite; the error's field is the path of one that is not.
+/// Checks whether all numbers in a value are finite. The error's field is the path of one that is
+/// not.
 Result<void> finite(ConstValue value);
 
 /// Reads and writes the number of an enumeration's value, or 0 and 1 of a boolean.

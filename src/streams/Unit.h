@@ -3,8 +3,8 @@
 
 namespace gt {
 
-/// The unit of a number, as fields tell it to streams, views and tools. Several units stand for the
-/// parts of what the field holds, in their order: of a pose, mm and rad.
+/// The unit of a number, as fields state it to streams, views and tools. A combination of units
+/// applies to the parts of the field's value in their order, such as mm and rad to those of a pose.
 enum class Unit {
   none,
   mm,
@@ -42,7 +42,7 @@ enum class Unit {
   cd
 };
 
-/// A unit as it is written behind a number; empty for a number without one.
+/// The unit as written behind a number; empty for a number without a unit.
 constexpr std::string_view unitText(Unit unit) {
   switch (unit) {
     case Unit::none:

@@ -9,38 +9,41 @@
 
 namespace gt {
 
-/// Who is to blame where the two distances of a ball differ.
+/// The cause of a difference between the two distances of a ball.
 enum class Verdict { notCompared, agree, visionIsOff, cameraMatrixIsOff, notKnown };
 
-/// How much further away the projection puts the ball than its size does; 0 if one is not known.
+/// The relative difference of the ball's distance by projection to that by size (0.1: 10 %
+/// farther); 0 if one of them is unknown.
 double differenceOfDistances(const BallPercept& ball);
 
-/// Compares the two distances of a ball nearer than 1.5 m. Where they differ by more than 10 %, a
-/// person's circle decides: if vision's radius is within 5 % of it, the size is right and the
-/// camera matrix is off.
+/// Compares the two distances of a ball nearer than 1.5 m. If they differ by more than 10 %, a
+/// person's label decides: if vision's radius is within 5 % of the label's, the size is correct and
+/// the camera matrix is wrong.
 Verdict compareDistances(const BallPercept& ball, const BallLabel* label);
 
-/// Compares what vision found in a log's images with what a person saw in them.
+/// Compares the ball percepts of a log's images with a person's labels.
 class Comparison {
  public:
-  /// One more image; `label` is null where nobody looked.
+  /// Adds an image; `label` is null if the image is not labeled.
   void add(const BallPercept& ball, const BallLabel* label);
 
-  /// The numbers of images in which a person saw the ball that way, and of those in which vision
-  /// found it.
+  /// The number of images in which a person saw the ball in this way, and the number of those in
+  /// which vision found it.
   int pictures(BallView view) const { return total_[static_cast<std::size_t>(view)]; }
   int found(BallView view) const { return found_[static_cast<std::size_t>(view)]; }
 
-  /// The summary, for people: a few lines.
+  /// A summary of a few lines for people.
   std::string text() const;
-  /// vision.real.ball.whole.found and the like.
+  /// Figures such as vision.real.ball.whole.found.
   Figures figures() const;
 
  private:
   std::array<int, enumCount<BallView>> total_{}, found_{};
   std::array<int, enumCount<Verdict>> verdicts_{};
-  std::vector<double> centerErrors_, radiusErrors_;  ///< Of whole balls, pixels.
-  std::vector<double> ratios_;  ///< Projection over size, of the distances compared.
+  std::vector<double> centerErrors_, radiusErrors_;  ///< Errors of completely visible balls, in
+                                                     ///< pixels.
+  std::vector<double> ratios_;  ///< Distance by projection divided by that by size, of all compared
+                                ///< balls.
 };
 
 }  // namespace gt

@@ -11,20 +11,21 @@
 
 namespace gt {
 
-/// Compares the points on lines, the goals and the camera matrices of a log's images with what a
-/// person saw in them.
+/// Compares the points on lines, the goals and the camera matrices of a log's images with a
+/// person's labels.
 class FieldComparison {
  public:
-  /// One more image; a label for another time is passed over.
+  /// Adds an image; a label with another time is ignored.
   void add(const LinesPercept& lines, const LandmarksPercept& landmarks, const CameraMatrix& matrix,
            const FieldLabel& label);
 
-  /// What the labels of one more image say of its camera matrix; empty if not enough.
+  /// Adds the correction of the camera matrix computed from an image's labels; empty if these are
+  /// insufficient.
   void add(const std::optional<MatrixCorrection>& correction);
 
-  /// The summary, for people: a few lines.
+  /// A summary of a few lines for people.
   std::string text() const;
-  /// Adds vision.real.lines.found and the like.
+  /// Adds figures such as vision.real.lines.found.
   void addTo(Figures& figures) const;
 
  private:
@@ -38,7 +39,7 @@ class FieldComparison {
   std::vector<double> goalsFound_, goalsFalse_;       ///< 100 or 0 each image.
   std::vector<double> postErrors_;                    ///< Degrees.
   std::vector<double> matrixKnown_;                   ///< 100 or 0 each image.
-  std::vector<double> tilts_, rolls_;                 ///< Of the corrections, degrees.
+  std::vector<double> tilts_, rolls_;                 ///< Corrections, in degrees.
 };
 
 }  // namespace gt

@@ -9,31 +9,32 @@
 
 namespace gt {
 
-/// By how much a camera matrix is off, as far as lines on the ground show.
+/// The error of a camera matrix, estimated from lines on the ground.
 struct MatrixCorrection {
-  double tilt = 0, roll = 0;  ///< rad, of the camera: what to add, + axis up, + right side down.
+  double tilt = 0, roll = 0;  ///< rad, to be added to the camera's rotation: + axis up, + right
+                              ///< side down.
   /// Standard errors of both (rad), if the points' errors are independent.
   double tiltError = 0, rollError = 0;
   double distance = 0;  ///< Root mean square distance of the points from the field's lines, pixels.
 };
 
-/// Estimates the errors of camera matrices from points on field lines: of all poses on the field
-/// and all tilts and rolls of the camera the one whose lines are nearest to those in the image, by
-/// least squares with a robust loss. The camera's height is that of the matrix. Straight lines stay
-/// straight however the camera is tilted, so it takes right angles, known distances or the center
-/// circle.
+/// Estimates the errors of camera matrices from points on field lines. Searches the pose on the
+/// field and the tilt and roll of the camera for which the field's lines are nearest to those in
+/// the image, by least squares with a robust loss. The camera's height is that of the matrix. Since
+/// straight lines remain straight for any tilt of the camera, right angles, known distances or the
+/// center circle must be visible.
 class MatrixFit {
  public:
   explicit MatrixFit(const FieldDimensions& field);
 
-  /// The correction of a matrix; `lines` are points of the image along the middles of some of the
-  /// field's lines, each list of one line. Empty if the image does not carry enough: the standard
-  /// errors exceed `largestError`, a clearly different correction fits nearly as well, or none
-  /// fits.
+  /// The correction of a matrix. `lines` are points of the image (pixels) along the centers of some
+  /// of the field's lines; each list belongs to one line. Empty if the image is insufficient: if
+  /// the standard errors exceed `largestError`, a clearly different correction fits nearly as well,
+  /// or no correction fits.
   std::optional<MatrixCorrection> fit(const CameraMatrix& matrix,
                                       std::span<const std::vector<Vector2d>> lines) const;
 
-  /// Points along the field's lines (mm), each list of one line.
+  /// Points along the field's lines (mm, on the field); each list belongs to one line.
   const std::vector<std::vector<Vector2d>>& linePoints() const { return linePoints_; }
 
   static constexpr double largestError = 0.5 * pi / 180;  ///< rad
@@ -41,7 +42,7 @@ class MatrixFit {
  private:
   struct Line {
     Vector2d from, to;
-    /// Whether a point lies beside the line and not beyond its ends.
+    /// Whether a point, projected onto the line, lies between its ends (with a margin).
     bool contains(const Vector2d& point) const;
   };
   class View;
@@ -58,12 +59,12 @@ class MatrixFit {
 
   std::vector<Line> lines_;
   double circleRadius_;
-  Vector2d half_;  ///< Robots stand within this distance of the middle.
+  Vector2d half_;  ///< Greatest distances (mm) of robots from the field's center, along x and y.
   std::vector<std::vector<Vector2d>> linePoints_;
 };
 
-/// What a camera sees of some lines on the ground that a robot at a pose sees: points of the image,
-/// no nearer to each other than `spacing` pixels. Lines with fewer than two points are left out.
+/// The visible part of some lines on the ground, for a camera of a robot at a pose: points of the
+/// image, at least `spacing` pixels apart. Lines with fewer than two points are left out.
 std::vector<std::vector<Vector2d>> linesInImage(const std::vector<std::vector<Vector2d>>& lines,
                                                 const CameraMatrix& matrix, const Pose2D& robot,
                                                 double spacing);

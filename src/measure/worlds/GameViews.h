@@ -10,34 +10,35 @@
 
 namespace gt {
 
-/// What one robot sees and feels in one moment, and what is true then.
+/// The sensor data of one robot at one moment, with the ground truth.
 struct GameView {
   std::size_t robot = 0;
   Image image;
   ImageTruth truth;
   SensorDataBuffer sensors;
-  Pose2D odometry;      ///< Where the robot believes to have walked to in all ticks,
-  Pose2D step;          ///< and in the last one.
-  CameraMatrix camera;  ///< The true one.
+  Pose2D odometry;      ///< Pose that the robot's odometry has reached after all ticks.
+  Pose2D step;          ///< Odometry step of the last tick.
+  CameraMatrix camera;  ///< The true camera matrix.
 };
 
-/// What the camera matrix of a robot should be that stands there and takes this image.
+/// The true camera matrix of a robot at a pose that takes this image.
 CameraMatrix trueMatrix(const CameraView& camera, const Pose2D& robot);
 
-/// Random moments of matches as the robots of a scene see them: robots and ball are anywhere, some
-/// robots walk, legs of the others differ, heads look around. Bodies, sensors and cameras are those
-/// of a simulation, with all errors of the scene. For experiments and for learning colors.
+/// Random moments of matches, as seen by the robots of a scene. Robots and ball have random
+/// positions, some robots walk, the legs of the others differ, heads move. Bodies, sensors and
+/// cameras are those of a simulation, with all errors of the scene. For experiments and for
+/// learning colors.
 class GameViews {
  public:
-  /// Fails if the scene's models or the configuration of the walk are wrong.
+  /// Returns an error if the scene's models or the configuration of the walk are invalid.
   static Result<GameViews> make(const DataRoot& root, const SceneDescription& scene,
                                 std::uint64_t seed);
 
-  /// Puts everything somewhere else and lets robots walk and heads turn for a while.
+  /// Places all objects at random and simulates walking and head motion for a while.
   void shuffle();
-  /// Lets all go on until cameras deliver the next image.
+  /// Continues the simulation until cameras deliver the next image.
   void waitForImage();
-  /// What a robot sees now. The reference is valid until the next call.
+  /// The present view of a robot. The reference is valid until the next call.
   const GameView& look(std::size_t robot, const CameraEffects& effects);
   const World& world() const { return simulation_->world(); }
   const SceneDescription& scene() const { return simulation_->scene(); }

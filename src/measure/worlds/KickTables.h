@@ -12,23 +12,24 @@
 
 namespace gt {
 
-/// Measures in the dynamic fidelity, under `padova`, what one of a folder's motions does with balls
-/// around it: by twelve robots, each put together in another way. The same in, the same out, with
-/// any number of threads.
+/// Measures in the dynamic fidelity, with the profile `padova`, the effect of one of a folder's
+/// motions on balls around the robot, with twelve robots that are built differently. The same input
+/// yields the same output, with any number of threads.
 Result<DescribedKick> measureKick(const std::string& motion, const MotionNet& net,
                                   const std::string& motions, const DataRoot& root,
                                   unsigned threads);
 
-/// What the kicks of a folder's motions do, for the kinematic fidelity: the row of a table that was
-/// measured with this motion, of the configuration or the project; without one it is measured, and
-/// kept in the user's cache. Kicks are what the folder `kicks` of the motions has, or a table.
+/// The effects of the kicks among a folder's motions, for the kinematic fidelity. Each is taken
+/// from a row of the configuration's or the project's table that was measured with the same motion.
+/// If there is none, the kick is measured, and stored in the user's cache. Kicks are the motions in
+/// the subfolder `kicks`, or in a table.
 Result<KickTable> kicksOfMotions(const MotionNet& net, const ConfigurationPaths& paths,
                                  const DataRoot& root, unsigned threads);
 
-/// The kicks of a folder of motion descriptions, by name: those in its folder `kicks`.
+/// The names of the kicks in a folder of motion descriptions: those in its subfolder `kicks`.
 std::vector<std::string> kicksIn(const std::string& motions);
 
-/// A table as its file, config/kicks.cfg.
+/// Formats a table as its file, config/kicks.cfg.
 std::string kickTableText(const KickTable& table);
 
 }  // namespace gt

@@ -12,36 +12,36 @@
 
 namespace gt {
 
-/// The first robot of a simulation, of which only the motion runs, as it is configured: it does
-/// what is requested here, and sees nothing. The other robots of the scene stand still.
+/// The first robot of a simulation, of which only the configured motion runs. It executes the given
+/// motion requests and has no vision. The other robots of the scene stand still.
 class MovedRobot {
  public:
-  /// The scene, its configuration, and the motions of a folder, by default the root's; the same
-  /// seed gives the same robot and world.
+  /// Uses the scene, its configuration, and the motions of a folder, by default those of the root.
+  /// The same seed yields the same robot and world.
   static Result<std::unique_ptr<MovedRobot>> make(const DataRoot& root,
                                                   const SceneDescription& scene, std::uint64_t seed,
                                                   const std::string& motions = {});
   ~MovedRobot();
 
-  /// Sets parameters of a solution, in the form of its file in config/modules/.
+  /// Sets parameters of a solution, in the format of its file in config/modules/.
   Result<void> configure(const std::string& task, const std::string& solution,
                          const std::string& text);
 
-  /// What it shall do from the next step on.
+  /// The motion request from the next step on.
   MotionRequest request;
   HeadMotionRequest head;
 
-  /// A tick of 8 ms.
+  /// Simulates a tick of 8 ms.
   void step();
-  /// So many seconds.
+  /// Simulates a number of seconds.
   void run(double seconds);
-  /// Until it has been put down and stands.
+  /// Simulates until the robot has been put down and stands.
   void standUp();
 
   Simulation& simulation() { return *simulation_; }
   World& world() { return simulation_->world(); }
   const RobotBody& body() const { return simulation_->world().robot(0); }
-  /// Whether it lies on a side, its nose or its back.
+  /// Whether the robot lies on a side, its nose or its back.
   bool hasFallen() const;
   const MotionInfo& motion() const;
   const OdometryData& odometry() const;

@@ -17,40 +17,43 @@
 
 namespace gt {
 
-/// What is different from the match scene around a SimulatedWalker.
+/// The differences of a SimulatedWalker's world to the match scene.
 struct WalkerWorld {
   Profile profile = Profile::padova;
-  double slip = 0, motion = 0;                      ///< At least, as in the scene's element noise.
-  std::function<void(SceneDescription&)> change{};  ///< All else of the scene.
+  double slip = 0, motion = 0;                      ///< Lower bounds of these elements of the
+                                                    ///< scene's noise.
+  std::function<void(SceneDescription&)> change{};  ///< Changes other parts of the scene.
   bool flags = true;
   WalkType walkType = WalkType::normal;
-  double walkingSpeed = 150;  ///< mm/s; faster than it can: as fast as it can.
+  double walkingSpeed = 150;  ///< mm/s; limited to what the robot can reach.
   bool walks = true;
-  bool legsOnly = false;           ///< Tilt and roll are those of stiff legs.
-  std::uint64_t missingFlags = 0;  ///< As many of the six beacons were taken away.
-  double misplacedFlags = 0;       ///< mm, by which each stands elsewhere.
-  double wrong = 0;                ///< Share of what is seen that is made something else.
-  double lostPictures = 0;         ///< Share in which nothing is found.
-  std::size_t others = 0;          ///< Robots that stand in the way, now here, now there.
-  bool leansOnWalls = false;       ///< Walks against them for half of the time; its feet slip.
+  bool legsOnly = false;           ///< Whether tilt and roll are those of stiff legs.
+  std::uint64_t missingFlags = 0;  ///< Number of the six beacons that are removed.
+  double misplacedFlags = 0;       ///< Displacement of each beacon, in mm.
+  double wrong = 0;                ///< Share of percepts that are replaced by wrong ones.
+  double lostPictures = 0;         ///< Share of images in which nothing is found.
+  std::size_t others = 0;          ///< Number of robots that stand in the way at changing places.
+  bool leansOnWalls = false;       ///< Whether it walks against walls half of the time, while its
+                                   ///< feet slip.
 };
 
-/// A robot alone on the simulated field that walks about and turns its head from left to right and
-/// back (report 3.3.3.4), with its own walking engine and vision. One step is one image. It has
-/// the members of a SyntheticRobot, so that the same experiments run on both.
+/// A robot alone on the simulated field that walks around and turns its head from left to right and
+/// back (report 3.3.3.4), with its own walking engine and vision. One step is one image. It has the
+/// members of a SyntheticRobot, so that the same experiments can use both.
 class SimulatedWalker {
  public:
   static Result<std::unique_ptr<SimulatedWalker>> make(const DataRoot& root, std::uint64_t seed,
                                                        const WalkerWorld& world = {});
   ~SimulatedWalker();
 
-  /// To the next image, walking to random places.
+  /// Simulates up to the next image, walking to random places.
   void step();
-  /// The same, but walks as requested: in the robot's system, mm/s and rad/s.
+  /// Simulates up to the next image, walking with the requested speed (mm/s, rad/s), relative to
+  /// the robot.
   void step(const Pose2D& speed);
-  /// The referee puts the robot somewhere else; its odometry knows nothing of it.
+  /// Moves the robot to a random pose, without any change of its odometry.
   void kidnap();
-  /// Whether it lies, which it can in the dynamic fidelity only.
+  /// Whether the robot has fallen, which is possible in the dynamic fidelity only.
   bool hasFallen() const;
 
   Pose2D pose;
@@ -58,7 +61,7 @@ class SimulatedWalker {
   LandmarksPercept percept;
   LinesPercept lines;
   CameraMatrix camera;
-  CameraMatrix trueCamera;  ///< What `camera` should be.
+  CameraMatrix trueCamera;  ///< The true value of `camera`.
   FieldDimensions field;
   Player player;
   Time time;

@@ -8,7 +8,7 @@
 
 namespace gt {
 
-/// A log that is replayed, perhaps with other solutions of tasks, as a side of a comparison.
+/// A replayed log, possibly with other solutions of tasks, as a side of a comparison.
 Result<std::unique_ptr<ComparedSide>> replayedSide(
     const std::string& log, const LogRobotOptions& options,
     const std::vector<Configuration::SolutionChoice>& solutions);

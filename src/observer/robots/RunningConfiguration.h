@@ -6,15 +6,15 @@
 
 namespace gt {
 
-/// Writes what a robot works with now, wherever it runs, as a folder of configuration files (see
-/// Configuration): solutions, their parameters, color table with the HSI ranges of which it was
-/// made, TSL thresholds, settings of the camera, calibration as it was learned in play, dimensions
-/// of robot and field. A robot can be started with that folder.
+/// Writes the present configuration of a running robot as a folder of configuration files (see
+/// Configuration): solutions, their parameters, color table with the HSI ranges from which it was
+/// made, TSL thresholds, camera settings, the calibration learned in play, dimensions of robot and
+/// field. A robot can be started with that folder.
 Result<void> saveRunningConfiguration(ObservedRobot& robot, const std::string& folder);
 
-/// Has a running robot work with what such a folder holds. Files that are missing there change
-/// nothing; of sections for single robots, those of its hardware address hold. An error names file
-/// and line; what was read before it, holds.
+/// Applies the files of such a folder to a running robot. Missing files change nothing. Sections
+/// for single robots are applied if they have the robot's hardware address. An error states file
+/// and line; what was read before the error stays applied.
 Result<void> loadRunningConfiguration(ObservedRobot& robot, const std::string& folder,
                                       const DataRoot& root);
 

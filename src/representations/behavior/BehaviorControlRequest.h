@@ -6,10 +6,10 @@
 
 namespace gt {
 
-/// Overrides the behavior, for debugging (report H.8, I.5.3: xbb, xo, xis, xos): the newest
-/// request holds, an empty one lets the engine go. Names as in the behavior. Sent by tools.
+/// Overrides the behavior, for debugging (report H.8, I.5.3: xbb, xo, xis, xos). The newest request
+/// is valid; an empty one ends the override. Uses the names of the behavior. Sent by tools.
 struct BehaviorControlRequest {
-  /// An output symbol that keeps a value, whatever the behavior sets.
+  /// An output symbol that keeps a value, regardless of the behavior.
   struct Output {
     std::string symbol;
     std::string value;
@@ -30,12 +30,14 @@ struct BehaviorControlRequest {
   static constexpr auto fields() {
     using R = BehaviorControlRequest;
     return Fields{
-        field<&R::root>("executed instead of the agent's root option; empty: that"),
-        field<&R::basicBehavior>("whether the root is one, not an option"),
+        field<&R::root>(
+            "name of the option or basic behavior to execute; empty: the agent's root option"),
+        field<&R::basicBehavior>("whether the root is a basic behavior instead of an option"),
         field<&R::parameters>(
-            "of the root, in the order of its declaration: numbers, true, false, elements"),
-        field<&R::outputs>("that keep a value"),
-        field<&R::shown>("symbols whose values BehaviorState tells")};
+            "parameters of the root, in the order of declaration: numbers, true, false, "
+            "enumeration elements"),
+        field<&R::outputs>("output symbols that keep a value, regardless of the behavior"),
+        field<&R::shown>("symbols whose values BehaviorState reports")};
   }
 };
 

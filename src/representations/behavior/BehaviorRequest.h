@@ -6,8 +6,9 @@
 
 namespace gt {
 
-/// Asks a robot to go on with another behavior, or with its own after it was edited. If that has an
-/// error, or asks for what the robot does not offer, the one that runs goes on. Sent by tools.
+/// Switches a robot to another behavior, or reloads its own after it was edited. If the new
+/// behavior has an error or uses symbols that the robot does not offer, the present behavior
+/// continues. Sent by tools.
 struct BehaviorRequest {
   struct File {
     std::string path;
@@ -21,9 +22,10 @@ struct BehaviorRequest {
 
   static constexpr auto fields() {
     return Fields{
-        field<&BehaviorRequest::path>("the file with the agents"),
+        field<&BehaviorRequest::path>("path of the file with the agents"),
         field<&BehaviorRequest::files>(
-            "that one and all that it includes; none: the robot reads them from its disk")};
+            "the agents file and all files that it includes; empty: the robot reads them from its "
+            "disk")};
   }
 };
 

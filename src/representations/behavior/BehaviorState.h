@@ -15,12 +15,12 @@ struct BehaviorValue {
 
   static constexpr auto fields() {
     return Fields{field<&BehaviorValue::name>(), field<&BehaviorValue::value>(),
-                  field<&BehaviorValue::unit>("as the behavior declares it")};
+                  field<&BehaviorValue::unit>("unit as declared in the behavior")};
   }
 };
 
-/// What the behavior did in a cycle (report I.3.3.3, J.5.1): the view of a tool. Sent by
-/// BehaviorControl while its debug key `BehaviorControl/activations` is active.
+/// Executed options and symbol values of the behavior in one cycle (report I.3.3.3, J.5.1), for
+/// tools. Sent by BehaviorControl while its debug key `BehaviorControl/activations` is active.
 struct BehaviorState {
   /// An option or basic behavior that was executed.
   struct Activation {
@@ -32,12 +32,14 @@ struct BehaviorState {
     std::vector<BehaviorValue> parameters;
 
     static constexpr auto fields() {
-      return Fields{field<&Activation::name>(),
-                    field<&Activation::state>("of an option; empty: a basic behavior"),
-                    field<&Activation::depth>("of the call; the root is at 0"),
-                    field<&Activation::optionTime>(Unit::ms, "since it became active"),
-                    field<&Activation::stateTime>(Unit::ms, "since its state became active"),
-                    field<&Activation::parameters>()};
+      return Fields{
+          field<&Activation::name>(),
+          field<&Activation::state>("active state of an option; empty for a basic behavior"),
+          field<&Activation::depth>("depth in the call stack; 0 for the root"),
+          field<&Activation::optionTime>(Unit::ms,
+                                         "time since the option or basic behavior became active"),
+          field<&Activation::stateTime>(Unit::ms, "time since the state became active"),
+          field<&Activation::parameters>()};
     }
   };
 
@@ -49,12 +51,12 @@ struct BehaviorState {
   static constexpr auto fields() {
     return Fields{field<&BehaviorState::agent>(),
                   field<&BehaviorState::activations>("in the order of execution"),
-                  field<&BehaviorState::inputs>("input symbols that were asked for"),
+                  field<&BehaviorState::inputs>("values of the requested input symbols"),
                   field<&BehaviorState::outputs>("output symbols that were asked for")};
   }
 };
 
-/// A line for each option and basic behavior, indented by depth, with its times in ms.
+/// Formats the state: one line for each option and basic behavior, indented by depth, times in ms.
 inline std::string toString(const BehaviorState& state) {
   std::string text;
   for (const BehaviorState::Activation& a : state.activations) {

@@ -5,14 +5,15 @@
 
 namespace gt {
 
-/// What the behavior did, and why: a part of a trace file, as `xabsl trace` reads it. All parts of
-/// a log, one after another, are the file (`gtlog export LOG OUT.trace`). Sent by BehaviorControl
-/// while its debug key `BehaviorControl/trace` is active.
+/// A part of a trace file, as `xabsl trace` reads it: the decisions of the behavior and their
+/// causes. All parts of a log, concatenated, are the file (`gtlog export LOG OUT.trace`). Sent by
+/// BehaviorControl while its debug key `BehaviorControl/trace` is active.
 struct BehaviorTrace {
   std::string text;
 
   static constexpr auto fields() {
-    return Fields{field<&BehaviorTrace::text>("see xabsl/trace/TraceFile.h")};
+    return Fields{
+        field<&BehaviorTrace::text>("part of a trace file; format: see xabsl/trace/TraceFile.h")};
   }
 };
 

@@ -31,7 +31,8 @@ struct HeadControlMode {
   static constexpr auto fields() {
     return Fields{
         field<&HeadControlMode::mode>(),
-        field<&HeadControlMode::point>(Unit::mm, "for lookAtPoint, in the robot's system"),
+        field<&HeadControlMode::point>(Unit::mm,
+                                       "for lookAtPoint: the point, relative to the robot"),
         field<&HeadControlMode::pixel>(
             Unit::pixel, "for lookAtPoint: where the point shall appear in the image"),
         field<&HeadControlMode::scanTilt>(

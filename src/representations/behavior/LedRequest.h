@@ -16,7 +16,7 @@ enum class Led {
   tailBlue,
   tailRed
 };
-/// Slow blinking comes in two phases: LEDs of different ones alternate.
+/// The two kinds of slow blinking are in opposite phase: LEDs with different kinds alternate.
 enum class LedMode { off, on, slowBlink, fastBlink, slowBlinkInTurn };
 
 /// What the LEDs shall show. Provided by BehaviorControl.
@@ -24,7 +24,7 @@ struct LedRequest {
   EnumArray<Led, LedMode> modes;
 
   static constexpr auto fields() {
-    return Fields{field<&LedRequest::modes>("in the order of Led")};
+    return Fields{field<&LedRequest::modes>("mode of each LED, in the order of Led")};
   }
 };
 
@@ -32,7 +32,9 @@ struct LedRequest {
 struct LedValue {
   EnumArray<Led, bool> lit;
 
-  static constexpr auto fields() { return Fields{field<&LedValue::lit>("in the order of Led")}; }
+  static constexpr auto fields() {
+    return Fields{field<&LedValue::lit>("whether each LED is lit, in the order of Led")};
+  }
 };
 
 }  // namespace gt

@@ -6,19 +6,19 @@
 
 namespace gt {
 
-/// Whether a rule draws the robot to its object or keeps it off.
+/// Whether a rule attracts the robot to an object or repels it.
 enum class PotentialEffect { attract, repel };
 
-/// What a rule is about.
+/// Object of a rule.
 enum class PotentialObject {
-  target,  ///< The place to go to.
+  target,  ///< The robot's destination.
   ball,
   ownPenaltyArea,
   walls,
   goalEdges,  ///< The posts and side walls of both goals.
   teammates,
   opponents,
-  obstacles  ///< What the obstacles model knows (report 3.5).
+  obstacles  ///< The obstacles of the obstacles model (report 3.5).
 };
 
 /// How the force of a rule depends on the distance.
@@ -32,22 +32,25 @@ struct PotentialRule {
   double strength = 1;
   double range = 300;
 
-  /// The force at a distance (mm) from the object, in the direction of the effect. Attraction is
-  /// full beyond its range, and falls to nothing at the object. Repulsion is full at the object and
-  /// nothing beyond its range; an asymptotic one has no limit but `mostRepulsion`.
+  /// The force at a distance (mm) from the object, in the direction of the effect. Attraction is at
+  /// its maximum beyond the range and decreases to zero at the object. Repulsion is at its maximum
+  /// at the object and zero beyond the range; asymptotic repulsion is limited by `mostRepulsion`
+  /// only.
   double forceAt(double distance) const;
 
-  static constexpr double mostRepulsion = 5;  ///< Of an asymptotic rule, in units of its strength.
+  static constexpr double mostRepulsion = 5;  ///< Greatest force of an asymptotic rule, as a
+                                              ///< multiple of its strength.
 
   static constexpr auto fields() {
     using R = PotentialRule;
     return Fields{
         field<&R::effect>(), field<&R::object>(), field<&R::function>(),
         field<&R::strength>("greatest force; 1 walks at full speed", {0, 100}),
-        field<&R::range>(Unit::mm,
-                         "attract: nearer than that the force decreases; repel: farther than that "
-                         "there is none",
-                         {1, 1e4})};
+        field<&R::range>(
+            Unit::mm,
+            "attract: distance below which the force decreases; repel: distance beyond which "
+            "there is no force",
+            {1, 1e4})};
   }
 };
 
@@ -64,9 +67,9 @@ struct PotentialFields {
 
   static constexpr auto fields() {
     using F = PotentialFields;
-    return Fields{field<&F::goToBall>("of go_to_ball_continuously"),
-                  field<&F::goToOwnGoal>("of go_to_own_goal"),
-                  field<&F::goToPoint>("of go_to_point_continuously")};
+    return Fields{field<&F::goToBall>("potential field of go_to_ball_continuously"),
+                  field<&F::goToOwnGoal>("potential field of go_to_own_goal"),
+                  field<&F::goToPoint>("potential field of go_to_point_continuously")};
   }
 };
 

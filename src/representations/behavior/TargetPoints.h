@@ -12,7 +12,7 @@ struct TargetPoints {
   std::vector<Vector2d> points;
 
   static constexpr auto fields() {
-    return Fields{field<&TargetPoints::points>(Unit::mm, "on the field")};
+    return Fields{field<&TargetPoints::points>(Unit::mm, "points to visit, on the field")};
   }
 };
 

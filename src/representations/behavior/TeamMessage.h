@@ -11,7 +11,8 @@ namespace gt {
 /// The roles that the team negotiates (report 3.8.2).
 enum class DynamicRole { goalie, striker, offensiveSupporter, defensiveSupporter };
 
-/// What one robot decided to send its teammates. Provided by BehaviorControl.
+/// The part of a robot's message to its teammates that the behavior decides. Provided by
+/// BehaviorControl.
 struct BehaviorTeamMessage {
   DynamicRole role = DynamicRole::defensiveSupporter;
   double estimatedTimeToReachBall = 1e6;
@@ -24,17 +25,18 @@ struct BehaviorTeamMessage {
         field<&BehaviorTeamMessage::role>(),
         field<&BehaviorTeamMessage::estimatedTimeToReachBall>(Unit::ms),
         field<&BehaviorTeamMessage::striker>(
-            "number of the player that the sender takes for the striker, 0 nobody", {0, 4}),
+            "number of the player whom the sender considers the striker; 0: none", {0, 4}),
         field<&BehaviorTeamMessage::handOver>(
-            "number of the decision that made it striker; the highest one counts", {0, 1000000}),
+            "number of the decision that made this player the striker; the highest number is valid",
+            {0, 1000000}),
         field<&BehaviorTeamMessage::kickTarget>(
             Unit::mm,
-            "where the kick that it performs or plans brings the ball if nothing is in its way, on "
-            "the field")};
+            "expected end position of the ball after the sender's present or planned kick, if "
+            "nothing blocks the ball, on the field")};
   }
 };
 
-/// An opponent as the sender of a message has seen it itself.
+/// An opponent as seen by the sender of a message itself.
 struct SeenOpponent {
   Vector2d position = Vector2d::Zero();
   Time lastSeen = never();
@@ -42,10 +44,12 @@ struct SeenOpponent {
   double standardDeviation = 0;
 
   static constexpr auto fields() {
-    return Fields{field<&SeenOpponent::position>(Unit::mm, "on the field"),
-                  field<&SeenOpponent::lastSeen>(Unit::ms, "by the sender's clock"),
-                  field<&SeenOpponent::validity>("0: there is none", {0, 1}),
-                  field<&SeenOpponent::standardDeviation>(Unit::mm, "of the position")};
+    return Fields{
+        field<&SeenOpponent::position>(Unit::mm, "position of the opponent on the field"),
+        field<&SeenOpponent::lastSeen>(Unit::ms,
+                                       "when the opponent was last seen, by the sender's clock"),
+        field<&SeenOpponent::validity>("validity of the entry; 0: no opponent", {0, 1}),
+        field<&SeenOpponent::standardDeviation>(Unit::mm, "standard deviation of the position")};
   }
 };
 
@@ -63,34 +67,41 @@ struct TeamMessage {
   std::array<SeenOpponent, 4> opponents;
 
   static constexpr auto fields() {
-    return Fields{field<&TeamMessage::playerNumber>("1 to 4; 0 nobody", {0, 4}),
-                  field<&TeamMessage::timeSent>(Unit::ms, "by the sender's clock"),
-                  field<&TeamMessage::robotPose>(Unit::mmRad),
-                  field<&TeamMessage::robotPoseValidity>({0, 1}),
-                  field<&TeamMessage::ballPosition>(Unit::mm, "on the field"),
-                  field<&TeamMessage::ballSpeed>(Unit::mmPerS, "on the field"),
-                  field<&TeamMessage::ballStandardDeviation>(Unit::mm, "BallModel"),
-                  field<&TeamMessage::ballLastSeen>(Unit::ms, "by the sender's clock"),
-                  field<&TeamMessage::behavior>(),
-                  field<&TeamMessage::opponents>()};
+    return Fields{
+        field<&TeamMessage::playerNumber>("number of the sender, 1 to 4; 0: none", {0, 4}),
+        field<&TeamMessage::timeSent>(Unit::ms, "time of sending, by the sender's clock"),
+        field<&TeamMessage::robotPose>(Unit::mmRad),
+        field<&TeamMessage::robotPoseValidity>({0, 1}),
+        field<&TeamMessage::ballPosition>(
+            Unit::mm, "position of the ball on the field, as seen by the sender"),
+        field<&TeamMessage::ballSpeed>(Unit::mmPerS,
+                                       "velocity of the ball on the field, as seen by the sender"),
+        field<&TeamMessage::ballStandardDeviation>(
+            Unit::mm, "standard deviation of the ball's position, from BallModel"),
+        field<&TeamMessage::ballLastSeen>(
+            Unit::ms, "when the sender last saw the ball, by the sender's clock"),
+        field<&TeamMessage::behavior>(),
+        field<&TeamMessage::opponents>()};
   }
 };
 
-/// The newest message of each teammate, with the time when it came in. Provided by the platform.
+/// The newest message of each teammate, with the time of its arrival. Provided by the platform.
 struct TeamMessages {
   struct Received {
     TeamMessage message;
     Time timeReceived = never();
 
     static constexpr auto fields() {
-      return Fields{field<&Received::message>(),
-                    field<&Received::timeReceived>(Unit::ms, "by the own clock")};
+      return Fields{
+          field<&Received::message>(),
+          field<&Received::timeReceived>(Unit::ms, "time of arrival, by the receiver's clock")};
     }
   };
   std::array<Received, 4> byPlayer;
 
   static constexpr auto fields() {
-    return Fields{field<&TeamMessages::byPlayer>("index is the player's number - 1")};
+    return Fields{field<&TeamMessages::byPlayer>(
+        "newest message of each player; the index is the player's number - 1")};
   }
 };
 

@@ -20,15 +20,15 @@ struct CameraInfo {
   double distortion2 = 0;
   double distortion4 = 0;
 
-  /// The direction of a point of the image in the camera's system (x along the optical axis, y
-  /// left, z up), not normalized.
+  /// The direction to a point of the image (pixels) in the camera's system (x along the optical
+  /// axis, y left, z up), not normalized; the distortion of the lens is removed.
   Vector3d ray(double x, double y) const {
     const Vector3d seen{1, (centerX - x) / focalX, (centerY - y) / focalY};
     if (distortion().none()) return seen;
     const double factor = distortion().undoing(seen.tail<2>().squaredNorm());
     return {1, factor * seen.y(), factor * seen.z()};
   }
-  /// Where a point in the camera's system is seen; its x must be positive.
+  /// Projects a point in the camera's system (mm) to the image (pixels); its x must be positive.
   Vector2d project(const Vector3d& inCamera) const {
     const Vector2d offset{focalX * inCamera.y() / inCamera.x(),
                           focalY * inCamera.z() / inCamera.x()};
@@ -36,7 +36,7 @@ struct CameraInfo {
     return distortion().none() ? center - offset : center - distorted(offset);
   }
   LensDistortion distortion() const { return {distortion2, distortion4}; }
-  /// Where the lens lets a point appear that should be at an offset from the optical axis (pixels).
+  /// Applies the distortion of the lens to an offset from the optical axis (pixels).
   Vector2d distorted(const Vector2d& offset) const {
     const double x = offset.x() / focalX, y = offset.y() / focalY;
     return distortion().factor(x * x + y * y) * offset;

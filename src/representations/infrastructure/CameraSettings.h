@@ -9,8 +9,8 @@ enum class WhiteBalance { wb_indoor_mode, wb_outdoor_mode, wb_fl_mode };
 enum class Gain { gain_low, gain_mid, gain_high };
 enum class ShutterSpeed { shutter_slow, shutter_mid, shutter_fast };
 
-/// How the camera is set (camera.cfg, report B.4.3): as it was when the color table was made.
-/// Configuration.
+/// Settings of the camera (camera.cfg, report B.4.3). They must be the settings with which the
+/// color table was made. Configuration.
 struct CameraSettings {
   WhiteBalance whiteBalance = WhiteBalance::wb_indoor_mode;
   Gain gain = Gain::gain_mid;

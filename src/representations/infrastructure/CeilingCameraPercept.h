@@ -7,21 +7,24 @@
 
 namespace gt {
 
-/// A robot as it was recognized from above by the marks on its back.
+/// A robot that the ceiling camera recognized by the marks on its back.
 struct MarkedRobot {
   TeamColor teamColor = TeamColor::red;
   int number = 0;
   Pose2D pose;
 
   static constexpr auto fields() {
-    return Fields{field<&MarkedRobot::teamColor>(), field<&MarkedRobot::number>("1 to 4"),
-                  field<&MarkedRobot::pose>(Unit::mmRad, "in the red team's coordinates")};
+    return Fields{
+        field<&MarkedRobot::teamColor>(),
+        field<&MarkedRobot::number>("number of the player, 1 to 4"),
+        field<&MarkedRobot::pose>(Unit::mmRad,
+                                  "pose of the robot on the field, in the red team's coordinates")};
   }
 };
 
-/// What a camera at the ceiling saw of the field in one image (report 6.2.2). Provided by the
-/// simulated one, or by the program of a real one, whose log has these messages on the topic
-/// /CeilingCameraPercept.
+/// Robots and ball seen by a camera at the ceiling in one image (report 6.2.2). Provided by the
+/// simulated ceiling camera, or by the program of a real one, whose log has these messages on the
+/// topic /CeilingCameraPercept.
 struct CeilingCameraPercept {
   Time time;
   std::vector<MarkedRobot> robots;
@@ -30,9 +33,11 @@ struct CeilingCameraPercept {
 
   static constexpr auto fields() {
     using P = CeilingCameraPercept;
-    return Fields{field<&P::time>(Unit::ms, "when the image was taken"), field<&P::robots>(),
-                  field<&P::ballSeen>("not hidden under a robot, nor overlooked"),
-                  field<&P::ball>(Unit::mm, "in the red team's coordinates")};
+    return Fields{
+        field<&P::time>(Unit::ms, "when the image was taken"), field<&P::robots>(),
+        field<&P::ballSeen>("whether the ball was recognized"),
+        field<&P::ball>(Unit::mm,
+                        "position of the ball on the field, in the red team's coordinates")};
   }
 };
 

@@ -32,23 +32,26 @@ struct FieldDimensions {
 
   static constexpr auto fields() {
     return Fields{
-        field<&FieldDimensions::xGroundline>(Unit::mm, "opponent's; the own one at -x", {1, 1e5}),
+        field<&FieldDimensions::xGroundline>(
+            Unit::mm, "x of the opponent's ground line; the own one is at -x", {1, 1e5}),
         field<&FieldDimensions::xGoalBack>(Unit::mm, {1, 1e5}),
         field<&FieldDimensions::xPenaltyArea>(Unit::mm, {1, 1e5}),
         field<&FieldDimensions::xSideCorner>(
-            Unit::mm, "where the corner's slope leaves the side wall", {1, 1e5}),
-        field<&FieldDimensions::ySideline>(Unit::mm, "left; the right one at -y", {1, 1e5}),
+            Unit::mm, "x at which the corner's slope leaves the side wall", {1, 1e5}),
+        field<&FieldDimensions::ySideline>(
+            Unit::mm, "y of the left sideline; the right one is at -y", {1, 1e5}),
         field<&FieldDimensions::yPenaltyArea>(Unit::mm, {1, 1e5}),
-        field<&FieldDimensions::yGoal>(Unit::mm, "left post", {1, 1e5}),
+        field<&FieldDimensions::yGoal>(Unit::mm, "y of the left goal post", {1, 1e5}),
         field<&FieldDimensions::ySideCorner>(
-            Unit::mm, "where the corner's slope meets the ground line", {1, 1e5}),
+            Unit::mm, "y at which the corner's slope meets the ground line", {1, 1e5}),
         field<&FieldDimensions::centerCircleRadius>(Unit::mm, "to the line's middle", {1, 1e5}),
         field<&FieldDimensions::lineWidth>(Unit::mm, {1, 1000}),
         field<&FieldDimensions::wallHeight>(Unit::mm, {0, 1e4}),
         field<&FieldDimensions::goalHeight>(Unit::mm, {1, 1e4}),
-        field<&FieldDimensions::flagX>(Unit::mm, "of the corner flags; the middle ones at 0",
+        field<&FieldDimensions::flagX>(Unit::mm, "x of the corner flags; the middle flags are at 0",
                                        {1, 1e5}),
-        field<&FieldDimensions::flagY>(Unit::mm, "of all flags", {1, 1e5}),
+        field<&FieldDimensions::flagY>(Unit::mm, "distance of all flags from the field's x-axis",
+                                       {1, 1e5}),
         field<&FieldDimensions::flagRadius>(Unit::mm, {1, 1000}),
         field<&FieldDimensions::flagBottom>(Unit::mm, "height of the lower edge of the lower color",
                                             {0, 1e4}),

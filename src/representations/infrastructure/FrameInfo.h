@@ -4,8 +4,8 @@
 
 namespace gt {
 
-/// The time of the present cycle of a process, one sample of the platform's clock. Provided by the
-/// process.
+/// The time of the process's present cycle, read from the platform's clock once per cycle. Provided
+/// by the process.
 struct FrameInfo {
   Time time;
 

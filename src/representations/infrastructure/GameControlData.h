@@ -18,7 +18,8 @@ enum class Penalty {
   requestForPickup
 };
 
-/// What the RoboCup game manager sends one robot (facts, 2.2). Provided by the platform.
+/// The data that the RoboCup game manager sends to one robot (facts, 2.2). Provided by the
+/// platform.
 struct GameControlData {
   GameState state = GameState::initial;
   KickOff kickOff = KickOff::invalid;
@@ -28,12 +29,13 @@ struct GameControlData {
   Time timeOfLastChange;
 
   static constexpr auto fields() {
-    return Fields{field<&GameControlData::state>(),
-                  field<&GameControlData::kickOff>(),
-                  field<&GameControlData::penalty>(),
-                  field<&GameControlData::ownScore>(),
-                  field<&GameControlData::opponentScore>(),
-                  field<&GameControlData::timeOfLastChange>(Unit::ms, "of the state")};
+    return Fields{
+        field<&GameControlData::state>(),
+        field<&GameControlData::kickOff>(),
+        field<&GameControlData::penalty>(),
+        field<&GameControlData::ownScore>(),
+        field<&GameControlData::opponentScore>(),
+        field<&GameControlData::timeOfLastChange>(Unit::ms, "when the game state changed last")};
   }
 };
 

@@ -7,7 +7,7 @@
 
 namespace gt {
 
-/// One pixel in YCbCr (the report calls it YUV); four bytes so that it is read at once.
+/// One pixel in YCbCr (the report calls it YUV), padded to four bytes so that it is read at once.
 struct Pixel {
   std::uint8_t y = 0, cb = 128, cr = 128, unused = 0;
 
@@ -37,14 +37,14 @@ struct Image {
     return static_cast<std::size_t>(info.width) * static_cast<std::size_t>(info.height);
   }
   void allocate() { pixels.resize(area()); }
-  /// What no image from outside may have (`checked`).
+  /// Checks an image from outside (`checked`).
   std::string_view validationError() const {
     return pixels.size() == area() ? "" : "its pixels are not as many as its size says";
   }
 
   static constexpr auto fields() {
-    return Fields{field<&Image::time>(Unit::ms, "when the last row was exposed"),
-                  field<&Image::info>(), field<&Image::pixels>("row by row from the top")};
+    return Fields{field<&Image::time>(Unit::ms, "time of exposure of the last row"),
+                  field<&Image::info>(), field<&Image::pixels>("pixels row by row, from the top")};
   }
 };
 

@@ -3,7 +3,7 @@
 
 namespace gt {
 
-/// The gains of a joint's servo, as the words that Sony's motors take.
+/// The gains of a joint's servo in the words of Sony's motor interface.
 struct PidGains {
   int p = 0, i = 0, d = 0;
 
@@ -43,7 +43,7 @@ constexpr PidGains defaultGains(Joint joint) {
   }
 }
 
-/// The gains with which the servos follow the angles; Sony's unless a special action sets others
+/// The gains of the servos' controllers. They are Sony's unless a special action sets others
 /// (report 3.9.2). Provided by MotionControl.
 struct JointGains {
   EnumArray<Joint, PidGains> gains = recommended();
@@ -56,7 +56,7 @@ struct JointGains {
   }
 
   static constexpr auto fields() {
-    return Fields{field<&JointGains::gains>("in the order of Joint")};
+    return Fields{field<&JointGains::gains>("gains of each servo, in the order of Joint")};
   }
 };
 

@@ -50,12 +50,12 @@ constexpr Joint legJoint(Leg leg, int number) {
 
 using JointAngles = EnumArray<Joint, double>;
 
-/// The angles that the motors shall take in one frame of 8 ms. Provided by MotionControl.
+/// The target angles of the motors in one frame of 8 ms. Provided by MotionControl.
 struct JointData {
   JointAngles angles;
 
   static constexpr auto fields() {
-    return Fields{field<&JointData::angles>(Unit::rad, "in the order of Joint")};
+    return Fields{field<&JointData::angles>(Unit::rad, "target angles, in the order of Joint")};
   }
 };
 

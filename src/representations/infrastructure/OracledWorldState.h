@@ -7,19 +7,22 @@
 
 namespace gt {
 
-/// Where a robot truly is.
+/// True pose of a robot.
 struct OracledRobot {
   TeamColor teamColor = TeamColor::red;
   int number = 0;
   Pose2D pose;
 
   static constexpr auto fields() {
-    return Fields{field<&OracledRobot::teamColor>(), field<&OracledRobot::number>("1 to 4"),
-                  field<&OracledRobot::pose>(Unit::mmRad, "in this robot's field coordinates")};
+    return Fields{
+        field<&OracledRobot::teamColor>(),
+        field<&OracledRobot::number>("number of the player, 1 to 4"),
+        field<&OracledRobot::pose>(
+            Unit::mmRad, "pose on the field, in the coordinates of the receiving robot's team")};
   }
 };
 
-/// The truth, as only a simulator knows it (report 5.1). Provided by the platform. In the
+/// Ground truth, known to a simulator only (report 5.1). Provided by the platform. In the
 /// coordinates of the robot's own team.
 struct OracledWorldState {
   Time time;
@@ -29,11 +32,12 @@ struct OracledWorldState {
   std::vector<OracledRobot> others;
 
   static constexpr auto fields() {
-    return Fields{field<&OracledWorldState::time>(Unit::ms),
-                  field<&OracledWorldState::robotPose>(Unit::mmRad),
-                  field<&OracledWorldState::ballPosition>(Unit::mm, "on the field"),
-                  field<&OracledWorldState::ballSpeed>(Unit::mmPerS, "on the field"),
-                  field<&OracledWorldState::others>("team mates and opponents")};
+    return Fields{
+        field<&OracledWorldState::time>(Unit::ms),
+        field<&OracledWorldState::robotPose>(Unit::mmRad),
+        field<&OracledWorldState::ballPosition>(Unit::mm, "position of the ball on the field"),
+        field<&OracledWorldState::ballSpeed>(Unit::mmPerS, "velocity of the ball on the field"),
+        field<&OracledWorldState::others>("teammates and opponents")};
   }
 };
 

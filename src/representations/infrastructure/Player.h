@@ -16,14 +16,14 @@ constexpr TeamColor opponent(TeamColor color) {
   return color == TeamColor::red ? TeamColor::blue : TeamColor::red;
 }
 
-/// Who this robot is (player.cfg, report B.4.4). Configuration.
+/// Identity of this robot (player.cfg, report B.4.4). Configuration.
 struct Player {
   TeamColor teamColor = TeamColor::blue;
   PlayerRole role = PlayerRole::goalie;
 
   int number() const {
     return static_cast<int>(role) + 1;
-  }  ///< 1 to 4, as the game manager counts.
+  }  ///< 1 to 4, as counted by the game manager.
 
   static constexpr auto fields() {
     return Fields{field<&Player::teamColor>(), field<&Player::role>().named("playerRole")};

@@ -4,8 +4,8 @@
 
 namespace gt {
 
-/// By how much the posture of this very robot differs from what its joints measure (robot.cfg,
-/// report B.4.5). Configuration.
+/// Offsets between the posture of this individual robot and the one computed from its measured
+/// joints (robot.cfg, report B.4.5). Configuration.
 struct RobotCalibration {
   double bodyTiltOffset = 0;
   double bodyRollOffset = 0;

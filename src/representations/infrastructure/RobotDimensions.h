@@ -20,8 +20,10 @@ struct RobotDimensions {
 
   static constexpr auto fields() {
     return Fields{
-        field<&RobotDimensions::shoulderX>(Unit::mm, "of the fore legs; the hind ones at -x"),
-        field<&RobotDimensions::shoulderY>(Unit::mm, "of the left legs"),
+        field<&RobotDimensions::shoulderX>(
+            Unit::mm, "x of the fore legs' shoulders in the body frame; the hind ones are at -x"),
+        field<&RobotDimensions::shoulderY>(
+            Unit::mm, "y of the left legs' shoulders in the body frame; the right ones are at -y"),
         field<&RobotDimensions::upperLeg>(
             Unit::mm,
             "shoulder to knee of the left fore leg, joints 0; right legs mirror y, hind legs "
@@ -30,14 +32,18 @@ struct RobotDimensions {
         field<&RobotDimensions::lowerLegHind>(
             Unit::mm, "knee to foot ball, knee 0, before the mirroring of x"),
         field<&RobotDimensions::footRadius>(Unit::mm),
-        field<&RobotDimensions::neckX>(Unit::mm, "tilt axis before the body's origin"),
-        field<&RobotDimensions::neckZ>(Unit::mm, "tilt axis above the body's origin"),
-        field<&RobotDimensions::neckToPan>(Unit::mm, "along the neck"),
-        field<&RobotDimensions::panToCamera>(Unit::mm, "forward")};
+        field<&RobotDimensions::neckX>(
+            Unit::mm, "distance of the neck's tilt axis in front of the body's origin"),
+        field<&RobotDimensions::neckZ>(Unit::mm,
+                                       "height of the neck's tilt axis above the body's origin"),
+        field<&RobotDimensions::neckToPan>(
+            Unit::mm, "distance from the tilt axis to the pan axis, along the neck"),
+        field<&RobotDimensions::panToCamera>(Unit::mm,
+                                             "distance from the pan axis to the camera, forward")};
   }
 };
 
-/// What a joint can do (facts, 1.2).
+/// Limits of a joint (facts, 1.2).
 struct JointLimits {
   double low, high;  ///< rad
   double speed;      ///< rad/s

@@ -20,21 +20,22 @@ struct SensorData {
   static constexpr auto fields() {
     return Fields{
         field<&SensorData::time>(Unit::ms),
-        field<&SensorData::joints>(Unit::rad, "measured, in the order of Joint"),
+        field<&SensorData::joints>(Unit::rad, "measured angles, in the order of Joint"),
         field<&SensorData::acceleration>(
             Unit::mmPerS2, "specific force along x ahead, y left, z up; z is +9810 at rest"),
-        field<&SensorData::psd>(Unit::mm, "distance sensor in the head", {100, 900}),
-        field<&SensorData::switches>("pressed, in the order of Switch")};
+        field<&SensorData::psd>(Unit::mm, "measurement of the distance sensor in the head",
+                                {100, 900}),
+        field<&SensorData::switches>("whether each switch is pressed, in the order of Switch")};
   }
 };
 
 /// The last frames of sensor data, the newest last (report 3.1). Provided by the platform.
 struct SensorDataBuffer {
-  static constexpr int capacity = 16;  ///< 128 ms: reaches back over an image's exposure.
+  static constexpr int capacity = 16;  ///< 128 ms, which covers the exposure of an image.
   std::array<SensorData, capacity> frames;
 
   const SensorData& newest() const { return frames.back(); }
-  /// The frame nearest to a time; the oldest where that lies too far back.
+  /// The frame nearest to a time; the oldest one if the time lies before all frames.
   const SensorData& at(Time time) const {
     int best = capacity - 1;
     while (best > 0 && frames[static_cast<std::size_t>(best)].time.ms > time.ms + 4) --best;
@@ -46,7 +47,7 @@ struct SensorDataBuffer {
   }
 
   static constexpr auto fields() {
-    return Fields{field<&SensorDataBuffer::frames>("oldest first")};
+    return Fields{field<&SensorDataBuffer::frames>("frames of sensor data, the oldest first")};
   }
 };
 

@@ -14,17 +14,19 @@ struct BallModel {
   double standardDeviation = 0;
 
   static constexpr auto fields() {
-    return Fields{field<&BallModel::position>(Unit::mm, "on the ground, relative to the robot"),
-                  field<&BallModel::speed>(Unit::mmPerS, "over ground, in the robot's axes"),
-                  field<&BallModel::lastSeen>(Unit::ms),
-                  field<&BallModel::consecutiveTimeSeen>(Unit::ms, "report 3.4.2"),
-                  field<&BallModel::standardDeviation>(
-                      Unit::mm, "of the position; 0 if the locator does not estimate it")};
+    return Fields{
+        field<&BallModel::position>(Unit::mm, "position on the ground, relative to the robot"),
+        field<&BallModel::speed>(Unit::mmPerS, "velocity over ground, in the robot's axes"),
+        field<&BallModel::lastSeen>(Unit::ms),
+        field<&BallModel::consecutiveTimeSeen>(
+            Unit::ms, "how long the ball has been seen without interruption (report 3.4.2)"),
+        field<&BallModel::standardDeviation>(
+            Unit::mm, "standard deviation of the position; 0 if the locator does not estimate it")};
   }
 };
 
-/// Where the team knows the ball to be: seen by the robot itself or reported by a teammate
-/// (report 3.4.2). Provided by the TeamBallLocator.
+/// The ball as the team knows it: seen by the robot itself or reported by a teammate (report
+/// 3.4.2). Provided by the TeamBallLocator.
 struct TeamBallModel {
   Vector2d position = Vector2d::Zero();
   Time lastSeen = never();
@@ -32,11 +34,13 @@ struct TeamBallModel {
   double standardDeviation = 0;
 
   static constexpr auto fields() {
-    return Fields{field<&TeamBallModel::position>(Unit::mm, "on the field"),
-                  field<&TeamBallModel::lastSeen>(Unit::ms, "by the robot whose ball it is"),
-                  field<&TeamBallModel::seenBy>("number of that player, 0 nobody"),
-                  field<&TeamBallModel::standardDeviation>(
-                      Unit::mm, "of the position; 0 if the locator does not estimate it")};
+    return Fields{
+        field<&TeamBallModel::position>(Unit::mm, "position on the field"),
+        field<&TeamBallModel::lastSeen>(Unit::ms,
+                                        "when the ball was seen last by the player `seenBy`"),
+        field<&TeamBallModel::seenBy>("number of the player whose ball this is; 0: none"),
+        field<&TeamBallModel::standardDeviation>(
+            Unit::mm, "standard deviation of the position; 0 if the locator does not estimate it")};
   }
 };
 

@@ -9,12 +9,13 @@
 
 namespace gt {
 
-/// The surroundings as a radar shows them: 90 sectors around the robot, with what was measured last
-/// in each of them (report 3.5). All is relative to the robot, so that no error of its pose counts.
-/// Provided by the ObstaclesLocator.
+/// The obstacles around the robot in 90 sectors, each with its last measurement (report 3.5). All
+/// positions are relative to the robot, so that errors of its pose have no influence. Provided by
+/// the ObstaclesLocator.
 struct ObstaclesModel {
   static constexpr int numberOfSectors = 90;
-  static constexpr double farAway = 2000;  ///< mm: what is free where no obstacle is known.
+  static constexpr double farAway = 2000;  ///< Distance (mm) that is assumed to be free where no
+                                           ///< obstacle is known.
 
   struct Sector {
     Vector2d representative = Vector2d::Zero();
@@ -25,18 +26,20 @@ struct ObstaclesModel {
       return Fields{
           field<&Sector::representative>(
               Unit::mm,
-              "the measurement: an obstacle, or as far as the ground was seen to be free"),
-          field<&Sector::obstacle>("whether the representative is one"),
-          field<&Sector::lastSeen>(Unit::ms, "when it was measured")};
+              "position of an obstacle, or the farthest point up to which the ground was seen "
+              "free, relative to the robot"),
+          field<&Sector::obstacle>("whether the representative is an obstacle"),
+          field<&Sector::lastSeen>(Unit::ms, "time of the measurement")};
     }
   };
-  /// The free part of a goal as it was seen (report 3.8.2).
+  /// The free part of a goal as it was seen last, relative to the robot (report 3.8.2).
   struct SeenGoal {
     Vector2d left = Vector2d::Zero(), right = Vector2d::Zero();
     Time lastSeen = never();
 
     static constexpr auto fields() {
-      return Fields{field<&SeenGoal::left>(Unit::mm, "the goal's left end on the ground line"),
+      return Fields{field<&SeenGoal::left>(
+                        Unit::mm, "left end of the goal's free part, relative to the robot"),
                     field<&SeenGoal::right>(Unit::mm), field<&SeenGoal::lastSeen>(Unit::ms)};
     }
   };
@@ -51,10 +54,11 @@ struct ObstaclesModel {
                       numberOfSectors - 1);
   }
   static int sectorOf(const Vector2d& point) { return sectorOf(angleOf(point)); }
-  /// The middle of a sector in rad, in [-pi, pi).
+  /// Direction (rad) of the center of a sector relative to the robot, in [-pi, pi).
   static double middleOf(int sector) { return (sector + 0.5) * sectorWidth - pi; }
-  /// Enters a measurement in its sector. Of two in one sector, obstacles count more than free
-  /// ground, near ones more than far ones.
+  /// Enters a measurement at a place (mm, relative to the robot) in its sector. Of two measurements
+  /// in one sector, an obstacle takes precedence over free ground, and a nearer one over a farther
+  /// one.
   void enter(const Vector2d& place, bool obstacle, Time seen) {
     Sector& known = sectors[static_cast<std::size_t>(sectorOf(place))];
     const bool yields =
@@ -67,8 +71,9 @@ struct ObstaclesModel {
   static constexpr auto fields() {
     return Fields{
         field<&ObstaclesModel::time>(Unit::ms),
-        field<&ObstaclesModel::sectors>("of 4 degrees each, counterclockwise from behind"),
-        field<&ObstaclesModel::goals>("in the order of GoalColor")};
+        field<&ObstaclesModel::sectors>(
+            "sectors of 4 degrees each, counterclockwise from behind the robot"),
+        field<&ObstaclesModel::goals>("free part of each goal, in the order of GoalColor")};
   }
 };
 

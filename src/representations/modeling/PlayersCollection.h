@@ -7,7 +7,7 @@
 
 namespace gt {
 
-/// Where another robot is on the field.
+/// The estimated position of another robot.
 struct LocatedPlayer {
   Vector2d position = Vector2d::Zero();
   Time lastSeen = never();
@@ -17,27 +17,28 @@ struct LocatedPlayer {
 
   static constexpr auto fields() {
     return Fields{
-        field<&LocatedPlayer::position>(Unit::mm, "on the field"),
-        field<&LocatedPlayer::lastSeen>(Unit::ms, "by this robot, or when it sent where it is"),
+        field<&LocatedPlayer::position>(Unit::mm, "position on the field"),
+        field<&LocatedPlayer::lastSeen>(
+            Unit::ms, "when the player was last seen by this robot, or sent its own pose"),
         field<&LocatedPlayer::validity>({0, 1}),
-        field<&LocatedPlayer::number>("1 to 4 of a teammate that sent its pose; 0 if not known"),
+        field<&LocatedPlayer::number>(
+            "number of a teammate that sent its pose, 1 to 4; 0 if unknown"),
         field<&LocatedPlayer::standardDeviation>(
-            Unit::mm, "of the position, the mean of both axes; 0 if not known")};
+            Unit::mm, "standard deviation of the position, the mean of both axes; 0 if unknown")};
   }
 };
 
-/// All other players recognized (report 3.7), the most distinct first. Provided by the
-/// PlayersLocator.
+/// All other players (report 3.7), the most distinct first. Provided by the PlayersLocator.
 struct PlayersCollection {
   Time time;
   std::vector<LocatedPlayer> ownTeam, opponents, seenOpponents;
 
   static constexpr auto fields() {
     return Fields{field<&PlayersCollection::time>(Unit::ms),
-                  field<&PlayersCollection::ownTeam>("without the robot itself"),
+                  field<&PlayersCollection::ownTeam>("teammates, without the robot itself"),
                   field<&PlayersCollection::opponents>(),
                   field<&PlayersCollection::seenOpponents>(
-                      "what the robot itself has seen of them, to be sent to its teammates")};
+                      "opponents that the robot itself has seen, to be sent to its teammates")};
   }
 };
 

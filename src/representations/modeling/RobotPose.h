@@ -5,14 +5,15 @@
 
 namespace gt {
 
-/// Where the robot is on the field (report 3.3). Provided by the SelfLocator.
+/// The pose of the robot on the field (mm, rad), in the coordinates of its own team (report 3.3).
+/// Provided by the SelfLocator.
 struct RobotPose {
   Pose2D pose;
   double validity = 0;
 
   static constexpr auto fields() {
     return Fields{field<&RobotPose::pose>(Unit::mmRad),
-                  field<&RobotPose::validity>("certainty, report (3.16)", {0, 1})};
+                  field<&RobotPose::validity>("certainty of the pose, report (3.16)", {0, 1})};
   }
 };
 

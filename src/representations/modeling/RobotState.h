@@ -6,8 +6,8 @@
 
 namespace gt {
 
-/// What has happened to the robot's body, and how long switches have been pressed (report, chapter
-/// 3's table). Provided by the RobotStateDetector.
+/// The state of the robot's body, and how long its switches have been pressed (report, chapter 3's
+/// table). Provided by the RobotStateDetector.
 struct RobotState {
   BodyState state = BodyState::standing;
   Time lastChange = never();
@@ -15,10 +15,12 @@ struct RobotState {
   double tailPan = 0;
 
   static constexpr auto fields() {
-    return Fields{field<&RobotState::state>(),
-                  field<&RobotState::lastChange>(Unit::ms, "of the state"),
-                  field<&RobotState::pressedFor>(Unit::ms, "0 while not pressed"),
-                  field<&RobotState::tailPan>(Unit::rad, "as measured, + to the left")};
+    return Fields{
+        field<&RobotState::state>(),
+        field<&RobotState::lastChange>(Unit::ms, "when the state changed last"),
+        field<&RobotState::pressedFor>(
+            Unit::ms, "how long each switch has been pressed; 0 while it is not pressed"),
+        field<&RobotState::tailPan>(Unit::rad, "measured pan of the tail, + to the left")};
   }
 };
 

@@ -5,7 +5,8 @@
 
 namespace gt {
 
-/// What the robot does to get up, in this frame (report 3.9). Provided by the GetupEngine.
+/// The output of the GetupEngine for one frame, while the robot gets up (report 3.9). Provided by
+/// the GetupEngine.
 struct GetupEngineOutput {
   JointData joints;
   EnumArray<Joint, bool> dontCare;
@@ -17,9 +18,10 @@ struct GetupEngineOutput {
     return Fields{field<&GetupEngineOutput::joints>(),
                   field<&GetupEngineOutput::dontCare>("joints left to other requests"),
                   field<&GetupEngineOutput::gains>(),
-                  field<&GetupEngineOutput::mayLeave>("no action is being performed"),
+                  field<&GetupEngineOutput::mayLeave>(
+                      "whether another mover may take over, because no action is performed"),
                   field<&GetupEngineOutput::action>(
-                      "the special action that gets it up from where it lies; empty if it is up")};
+                      "special action that makes the robot get up; empty if it is up")};
   }
 };
 

@@ -3,7 +3,7 @@
 
 namespace gt {
 
-/// The angles that the head shall take. Provided by HeadControl.
+/// The target angles of the head joints. Provided by HeadControl.
 struct HeadMotionRequest {
   double tilt = 0;
   double pan = 0;

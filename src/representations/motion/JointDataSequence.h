@@ -7,8 +7,8 @@
 
 namespace gt {
 
-/// Lines of joint data that a person sends to a robot to try a motion (report J.5.4: execute,
-/// loop, stop). Without lines it stops the present one.
+/// Lines of joint data that a person sends to a robot to try a motion (report J.5.4: execute, loop,
+/// stop). A sequence without lines stops the present one.
 struct JointDataSequence {
   /// One line of a motion description.
   struct Line {
@@ -19,9 +19,10 @@ struct JointDataSequence {
 
     static constexpr auto fields() {
       return Fields{field<&Line::angles>(Unit::rad),
-                    field<&Line::dontCare>("joints that stay where they are"),
-                    field<&Line::interpolate>("reach the angles at the end"),
-                    field<&Line::frames>(Unit::frames, "of 8 ms", {1, 10000})};
+                    field<&Line::dontCare>("joints that keep their angles"),
+                    field<&Line::interpolate>(
+                        "whether the angles are interpolated and reached at the end of the line"),
+                    field<&Line::frames>(Unit::frames, "duration in frames of 8 ms", {1, 10000})};
     }
   };
 
@@ -30,9 +31,10 @@ struct JointDataSequence {
   int number = 0;
 
   static constexpr auto fields() {
-    return Fields{
-        field<&JointDataSequence::lines>(), field<&JointDataSequence::loop>("again and again"),
-        field<&JointDataSequence::number>("of the sequence: one with another number begins anew")};
+    return Fields{field<&JointDataSequence::lines>(),
+                  field<&JointDataSequence::loop>("whether the sequence is repeated"),
+                  field<&JointDataSequence::number>(
+                      "number of the sequence; another number starts it again")};
   }
 };
 

@@ -3,7 +3,7 @@
 
 namespace gt {
 
-/// What the motion is doing. Provided by MotionControl.
+/// The state of the motion. Provided by MotionControl.
 struct MotionInfo {
   MotionRequest executed;
   double positionInWalkCycle = 0;
@@ -12,11 +12,12 @@ struct MotionInfo {
 
   static constexpr auto fields() {
     return Fields{
-        field<&MotionInfo::executed>("the request that is being carried out"),
+        field<&MotionInfo::executed>("the request that is being executed"),
         field<&MotionInfo::positionInWalkCycle>({0, 1}),
-        field<&MotionInfo::stable>("the camera matrix can be trusted: neither kick nor getup"),
+        field<&MotionInfo::stable>(
+            "whether the camera matrix is reliable: neither during a kick nor while getting up"),
         field<&MotionInfo::arriving>(
-            "the legs are on their way to the stand, from which a walk begins")};
+            "whether the legs are moving to the stand from which a walk begins")};
   }
 };
 

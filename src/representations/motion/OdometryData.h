@@ -4,13 +4,13 @@
 
 namespace gt {
 
-/// How far the robot has walked since its start, by its own motion model (report 3.9). Provided by
-/// MotionControl.
+/// The pose of the robot relative to its start, integrated from its own motion (report 3.9).
+/// Provided by MotionControl.
 struct OdometryData {
   Pose2D pose;
 
   static constexpr auto fields() {
-    return Fields{field<&OdometryData::pose>(Unit::mmRad, "where the start was the origin")};
+    return Fields{field<&OdometryData::pose>(Unit::mmRad, "pose relative to the start")};
   }
 };
 

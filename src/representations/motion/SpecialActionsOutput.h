@@ -6,7 +6,7 @@
 
 namespace gt {
 
-/// What the special actions do in this frame (report 3.9.2). Provided by SpecialActions.
+/// The output of the special actions for one frame (report 3.9.2). Provided by SpecialActions.
 struct SpecialActionsOutput {
   JointData joints;
   EnumArray<Joint, bool> dontCare;
@@ -16,13 +16,15 @@ struct SpecialActionsOutput {
   std::string action;
 
   static constexpr auto fields() {
-    return Fields{
-        field<&SpecialActionsOutput::joints>(),
-        field<&SpecialActionsOutput::dontCare>("joints left to other requests"),
-        field<&SpecialActionsOutput::gains>(),
-        field<&SpecialActionsOutput::odometryStep>(Unit::mmRad, "of this frame"),
-        field<&SpecialActionsOutput::mayLeave>("the net is at extern"),
-        field<&SpecialActionsOutput::action>("name of what is performed; empty at extern")};
+    return Fields{field<&SpecialActionsOutput::joints>(),
+                  field<&SpecialActionsOutput::dontCare>("joints left to other requests"),
+                  field<&SpecialActionsOutput::gains>(),
+                  field<&SpecialActionsOutput::odometryStep>(
+                      Unit::mmRad, "motion of the robot in this frame, relative to the robot"),
+                  field<&SpecialActionsOutput::mayLeave>(
+                      "whether another mover may take over, because the net is at extern"),
+                  field<&SpecialActionsOutput::action>(
+                      "name of the special action that is performed; empty at extern")};
   }
 };
 

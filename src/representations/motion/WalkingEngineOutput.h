@@ -5,7 +5,7 @@
 
 namespace gt {
 
-/// What the walk does in this frame (report 3.9.1). Provided by the WalkingEngine.
+/// The output of the walk for one frame (report 3.9.1). Provided by the WalkingEngine.
 struct WalkingEngineOutput {
   JointData joints;
   Pose2D odometryStep;
@@ -16,15 +16,19 @@ struct WalkingEngineOutput {
   bool holdsHead = false;
 
   static constexpr auto fields() {
-    return Fields{field<&WalkingEngineOutput::joints>("the legs, and the head if it is held"),
-                  field<&WalkingEngineOutput::odometryStep>(Unit::mmRad, "of this frame"),
-                  field<&WalkingEngineOutput::speed>(
-                      Unit::mmRadPerS, "the request as far as step sizes and accelerations allow"),
-                  field<&WalkingEngineOutput::walkType>(
-                      "of this step; another one that is requested begins with the next"),
-                  field<&WalkingEngineOutput::mayLeave>("the robot stands"),
-                  field<&WalkingEngineOutput::positionInWalkCycle>({0, 1}),
-                  field<&WalkingEngineOutput::holdsHead>("the walk turns head and mouth itself")};
+    return Fields{
+        field<&WalkingEngineOutput::joints>(
+            "angles of the legs, and of the head if `holdsHead` is set"),
+        field<&WalkingEngineOutput::odometryStep>(
+            Unit::mmRad, "motion of the robot in this frame, relative to the robot"),
+        field<&WalkingEngineOutput::speed>(
+            Unit::mmRadPerS, "requested speed, limited by step sizes and accelerations"),
+        field<&WalkingEngineOutput::walkType>(
+            "type of the present step; another requested type begins with the next step"),
+        field<&WalkingEngineOutput::mayLeave>(
+            "whether another mover may take over, because the robot stands"),
+        field<&WalkingEngineOutput::positionInWalkCycle>({0, 1}),
+        field<&WalkingEngineOutput::holdsHead>("whether the walk controls head and mouth itself")};
   }
 };
 

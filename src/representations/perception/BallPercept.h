@@ -18,15 +18,22 @@ struct BallPercept {
 
   static constexpr auto fields() {
     return Fields{
-        field<&BallPercept::time>(Unit::ms, "of the image"),
+        field<&BallPercept::time>(Unit::ms, "time of the image"),
         field<&BallPercept::seen>(),
-        field<&BallPercept::offset>(Unit::mm, "on the ground, relative to the robot"),
-        field<&BallPercept::angle>(Unit::rad, "to the ball's center from the camera, left and up"),
+        field<&BallPercept::offset>(Unit::mm,
+                                    "position of the ball on the ground, relative to the robot"),
+        field<&BallPercept::angle>(
+            Unit::rad,
+            "direction from the camera to the ball's center: horizontal (+ left) and vertical (+ "
+            "up)"),
         field<&BallPercept::distanceByProjection>(
             Unit::mm,
-            "camera to center, from the camera matrix; 0 if the ball is not below the horizon"),
+            "distance from the camera to the ball's center, computed from the camera matrix; 0 if "
+            "the ball is not below the horizon"),
         field<&BallPercept::distanceBySize>(
-            Unit::mm, "camera to center, from the radius; 0 if too little is seen"),
+            Unit::mm,
+            "distance from the camera to the ball's center, computed from the radius; 0 if too "
+            "little is seen"),
         field<&BallPercept::centerInImage>(Unit::pixel),
         field<&BallPercept::radiusInImage>(Unit::pixel)};
   }

@@ -7,7 +7,7 @@ namespace gt {
 
 enum class BodyState { standing, fallen, liftedUp };
 
-/// How the body stands and which switches are pressed (report 3.1). Provided by the
+/// The posture of the body and the state of its switches (report 3.1). Provided by the
 /// SensorDataProcessor.
 struct BodyPercept {
   Time time;
@@ -19,13 +19,14 @@ struct BodyPercept {
   EnumArray<Switch, bool> switches;
 
   static constexpr auto fields() {
-    return Fields{field<&BodyPercept::time>(Unit::ms),
-                  field<&BodyPercept::state>(),
-                  field<&BodyPercept::tilt>(Unit::rad, "of the body, + nose up"),
-                  field<&BodyPercept::roll>(Unit::rad, "+ right side down"),
-                  field<&BodyPercept::height>(Unit::mm, "of the body's origin above the ground"),
-                  field<&BodyPercept::tailPan>(Unit::rad, "as measured, + to the left"),
-                  field<&BodyPercept::switches>("pressed")};
+    return Fields{
+        field<&BodyPercept::time>(Unit::ms),
+        field<&BodyPercept::state>(),
+        field<&BodyPercept::tilt>(Unit::rad, "tilt of the body, + nose up"),
+        field<&BodyPercept::roll>(Unit::rad, "roll of the body, + right side down"),
+        field<&BodyPercept::height>(Unit::mm, "height of the body's origin above the ground"),
+        field<&BodyPercept::tailPan>(Unit::rad, "measured pan of the tail, + to the left"),
+        field<&BodyPercept::switches>("whether each switch is pressed")};
   }
 };
 

@@ -16,7 +16,7 @@ struct CameraMatrix {
   bool valid = false;
   Matrix3d covariance = usualCovariance();
 
-  /// That of a walking robot of which no more is known.
+  /// Default covariance of a walking robot, for which no better estimate is known.
   static Matrix3d usualCovariance() {
     constexpr double angle = fromDegrees(1.2), height = 4;  // mm
     return Vector3d{angle * angle, angle * angle, height * height}.asDiagonal();
@@ -32,26 +32,30 @@ struct CameraMatrix {
     return skew * pose.rotation;
   }
 
-  /// The direction, in the robot's system, in which a point of the image lies as seen from the
-  /// camera; not normalized.
+  /// The direction from the camera to a point of the image (pixels), in the robot's system; not
+  /// normalized.
   Vector3d ray(double x, double y) const { return rotationAt(y) * info.ray(x, y); }
 
-  /// The variance of how high something is seen in a direction in the robot's system (rad^2).
+  /// The variance (rad^2) of the elevation of a point that is seen in a direction (rad) in the
+  /// robot's system.
   double elevationVariance(double azimuth) const {
     const Vector2d lowers{-std::sin(azimuth), std::cos(azimuth)};
     return lowers.dot(covariance.topLeftCorner<2, 2>() * lowers);
   }
 
   static constexpr auto fields() {
-    return Fields{field<&CameraMatrix::time>(Unit::ms, "of the image"),
-                  field<&CameraMatrix::pose>(Unit::mm, "when the middle row was exposed"),
-                  field<&CameraMatrix::turning>(
-                      Unit::radPerS, "angular velocity of the camera in the robot's system"),
-                  field<&CameraMatrix::info>(),
-                  field<&CameraMatrix::valid>("false during kicks and falls"),
-                  field<&CameraMatrix::covariance>(
-                      "of the errors of the rotation about the robot's x and y axis (rad) and of "
-                      "the height (mm)")};
+    return Fields{
+        field<&CameraMatrix::time>(Unit::ms, "time of the image"),
+        field<&CameraMatrix::pose>(
+            Unit::mm,
+            "pose relative to the robot's origin on the ground, when the middle row was exposed"),
+        field<&CameraMatrix::turning>(Unit::radPerS,
+                                      "angular velocity of the camera, relative to the robot"),
+        field<&CameraMatrix::info>(),
+        field<&CameraMatrix::valid>("false during kicks and falls"),
+        field<&CameraMatrix::covariance>(
+            "covariance of the errors of the rotation about the robot's x and y axis (rad) and of "
+            "the height (mm)")};
   }
 };
 

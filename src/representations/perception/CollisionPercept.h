@@ -5,7 +5,7 @@
 
 namespace gt {
 
-/// Whether the robot runs into something, as its legs feel it (report 3.6). Provided by the
+/// Collisions of the robot, detected from the motion of its legs (report 3.6). Provided by the
 /// CollisionDetector.
 struct CollisionPercept {
   Time time;
@@ -17,9 +17,9 @@ struct CollisionPercept {
 
   static constexpr auto fields() {
     return Fields{field<&CollisionPercept::time>(Unit::ms),
-                  field<&CollisionPercept::legs>("that something holds up"),
+                  field<&CollisionPercept::legs>("whether something obstructs each leg"),
                   field<&CollisionPercept::strength>(
-                      "of the leg held up most: from 1 on that is a collision"),
+                      "strength at the most obstructed leg; from 1 on it is a collision"),
                   field<&CollisionPercept::lastCollision>(Unit::ms)};
   }
 };

@@ -22,7 +22,7 @@ enum class ColorClass : std::uint8_t {
   black
 };
 
-/// The class of each color, 6 bits a channel (report B.4.2): read from coltable.c64.
+/// The color class of each color, with 6 bits per channel (report B.4.2): read from coltable.c64.
 /// Configuration.
 struct ColorTable64 {
   std::array<ColorClass, 64 * 64 * 64> classes{};
@@ -33,7 +33,9 @@ struct ColorTable64 {
   }
   ColorClass operator[](const Pixel& p) const { return classes[index(p.y, p.cb, p.cr)]; }
 
-  static constexpr auto fields() { return Fields{field<&ColorTable64::classes>("[y][cb][cr]")}; }
+  static constexpr auto fields() {
+    return Fields{field<&ColorTable64::classes>("class of each color, index [y][cb][cr]")};
+  }
 };
 
 }  // namespace gt

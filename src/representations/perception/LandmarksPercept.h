@@ -9,9 +9,10 @@
 
 namespace gt {
 
-/// The bounding rectangle of a landmark in angles seen from the camera, horizontal ones in the
-/// robot's system, vertical ones to the horizon; and which of its edges lie on the border of the
-/// image or are hidden: the angle is not the edge's then (report 3.2).
+/// The bounding rectangle of a landmark in angles seen from the camera: horizontal angles in the
+/// robot's system, vertical ones relative to the horizon (report 3.2). The flags mark the sides
+/// that lie on the image border or are hidden; the angle of such a side is not that of the
+/// landmark's edge.
 struct ConditionalBoundary {
   double left = 0, right = 0, top = 0, bottom = 0;
   bool leftOnBorder = false, rightOnBorder = false, topOnBorder = false, bottomOnBorder = false;
@@ -38,10 +39,10 @@ enum class FlagType {
   skyblueAbovePink
 };
 
-/// Where a flag stands in the coordinates of a team. Seen from the yellow goal pink is below on the
-/// left and above on the right.
+/// The position of a flag (mm) on the field, in the coordinates of a team. Seen from the yellow
+/// goal, pink is below on the left and above on the right.
 inline Vector2d positionOf(FlagType type, TeamColor team, const FieldDimensions& field) {
-  // In the coordinates of the red team, which defends the yellow goal.
+  // Coordinates of the red team, which defends the yellow goal.
   Vector2d p = Vector2d::Zero();
   switch (type) {
     case FlagType::pinkAboveYellow:
@@ -76,9 +77,10 @@ struct FlagPercept {
   static constexpr auto fields() {
     return Fields{
         field<&FlagPercept::type>(), field<&FlagPercept::boundary>(),
-        field<&FlagPercept::distance>(Unit::mm,
-                                      "robot's origin to the flag's axis; 0 if not known"),
-        field<&FlagPercept::angle>(Unit::rad, "from the robot's origin to the flag's axis")};
+        field<&FlagPercept::distance>(
+            Unit::mm, "distance from the robot's origin to the flag's axis; 0 if unknown"),
+        field<&FlagPercept::angle>(Unit::rad,
+                                   "direction from the robot's origin to the flag's axis")};
   }
 };
 
@@ -95,9 +97,12 @@ struct GoalPercept {
     return Fields{
         field<&GoalPercept::color>(), field<&GoalPercept::boundary>(),
         field<&GoalPercept::distance>(
-            Unit::mm, "robot's origin to the middle between the goal's posts; 0 if not known"),
-        field<&GoalPercept::angle>(Unit::rad,
-                                   "from the robot's origin to the middle of what is seen")};
+            Unit::mm,
+            "distance from the robot's origin to the middle between the goal's posts; 0 if "
+            "unknown"),
+        field<&GoalPercept::angle>(
+            Unit::rad,
+            "direction from the robot's origin to the middle of the visible part of the goal")};
   }
 };
 
@@ -116,13 +121,15 @@ struct LandmarksPercept {
   std::array<GoalPercept, 2> goals;
 
   static constexpr auto fields() {
-    return Fields{field<&LandmarksPercept::time>(Unit::ms, "of the image"),
-                  field<&LandmarksPercept::cameraOffset>(
-                      Unit::mm, "where the angles were measured, in the robot's system"),
-                  field<&LandmarksPercept::numberOfFlags>({0, 6}),
-                  field<&LandmarksPercept::flags>(),
-                  field<&LandmarksPercept::numberOfGoals>({0, 2}),
-                  field<&LandmarksPercept::goals>()};
+    return Fields{
+        field<&LandmarksPercept::time>(Unit::ms, "time of the image"),
+        field<&LandmarksPercept::cameraOffset>(
+            Unit::mm,
+            "position of the camera, relative to the robot, from which the angles were measured"),
+        field<&LandmarksPercept::numberOfFlags>({0, 6}),
+        field<&LandmarksPercept::flags>(),
+        field<&LandmarksPercept::numberOfGoals>({0, 2}),
+        field<&LandmarksPercept::goals>()};
   }
 };
 

@@ -3,7 +3,7 @@
 
 namespace gt {
 
-/// What a robot has learned of itself in play, from what it sees. Provided by the
+/// Calibration that the robot has learned during play from its images. Provided by the
 /// SensorDataProcessor.
 struct LearnedCalibration {
   RobotCalibration robot;
@@ -13,10 +13,10 @@ struct LearnedCalibration {
 
   static constexpr auto fields() {
     return Fields{field<&LearnedCalibration::robot>(
-                      "by which it works now, that of robot.cfg included; `save` writes it there"),
+                      "present calibration, including that of robot.cfg; `save` writes it there"),
                   field<&LearnedCalibration::deviation>("standard deviations of what was learned"),
                   field<&LearnedCalibration::legsGive>(
-                      "how much its legs give, as a share of what the processor's parameters say"),
+                      "compliance of the legs, as a share of that in the processor's parameters"),
                   field<&LearnedCalibration::imageDelay>(
                       Unit::ms, "by which images are older than their time stamps")};
   }

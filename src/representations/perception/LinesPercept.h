@@ -8,7 +8,7 @@
 
 namespace gt {
 
-/// What an edge on the field is an edge of (report 3.2.2, 3.3.3.1).
+/// Types of edges on the field (report 3.2.2, 3.3.3.1).
 enum class EdgeType { line, border, yellowGoal, skyblueGoal };
 
 /// Points on edges seen in one image, on the ground and relative to the robot (report 3.2.2).
@@ -18,8 +18,10 @@ struct LinesPercept {
   EnumArray<EdgeType, std::vector<Vector2d>> points;
 
   static constexpr auto fields() {
-    return Fields{field<&LinesPercept::time>(Unit::ms, "of the image"),
-                  field<&LinesPercept::points>(Unit::mm, "in the order of EdgeType")};
+    return Fields{
+        field<&LinesPercept::time>(Unit::ms, "time of the image"),
+        field<&LinesPercept::points>(
+            Unit::mm, "points on the ground, relative to the robot, in the order of EdgeType")};
   }
 };
 

@@ -9,15 +9,16 @@
 
 namespace gt {
 
-/// The robots seen in one image by the color of their tricots, relative to the robot
-/// (report 3.2.6). Provided by the ImageProcessor.
+/// The positions of robots seen in one image by the color of their tricots, on the ground relative
+/// to the robot (report 3.2.6). Provided by the ImageProcessor.
 struct PlayersPercept {
   Time time;
   EnumArray<TeamColor, std::vector<Vector2d>> players;
 
   static constexpr auto fields() {
-    return Fields{field<&PlayersPercept::time>(Unit::ms, "of the image"),
-                  field<&PlayersPercept::players>(Unit::mm, "in the order of TeamColor")};
+    return Fields{field<&PlayersPercept::time>(Unit::ms, "time of the image"),
+                  field<&PlayersPercept::players>(
+                      Unit::mm, "positions relative to the robot, in the order of TeamColor")};
   }
 };
 

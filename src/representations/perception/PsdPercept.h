@@ -5,8 +5,8 @@
 
 namespace gt {
 
-/// What the distance sensor in the head hits, in the robot's system (report 3.1). Provided by the
-/// SensorDataProcessor.
+/// The point that the distance sensor in the head hits, relative to the robot (report 3.1).
+/// Provided by the SensorDataProcessor.
 struct PsdPercept {
   Time time;
   Vector3d offset = Vector3d::Zero();
@@ -14,7 +14,7 @@ struct PsdPercept {
 
   static constexpr auto fields() {
     return Fields{field<&PsdPercept::time>(Unit::ms), field<&PsdPercept::offset>(Unit::mm),
-                  field<&PsdPercept::tooFarAway>("nothing within 900 mm")};
+                  field<&PsdPercept::tooFarAway>("whether nothing was measured within 900 mm")};
   }
 };
 

@@ -7,17 +7,17 @@
 
 namespace gt {
 
-/// Of how a robot and a simulator take turns. A robot's program begins with its `LockstepGreeting`
-/// and how its camera is set, or with a `LockstepFailure`; the simulator answers with its schemas.
-/// Then the simulator sends what the body measured in a tick, and the robot its commands and what
-/// it believes, again and again, until the simulator closes the connection.
+/// Version of the protocol by which a robot and a simulator alternate. The robot's program first
+/// sends its `LockstepGreeting` and its camera settings, or a `LockstepFailure`; the simulator
+/// answers with its schemas. Then the simulator sends the body's measurements of a tick, and the
+/// robot its commands and beliefs, repeatedly, until the simulator closes the connection.
 constexpr int lockstepProtocol = 1;
 
-/// What a robot in lockstep tells of itself.
+/// The first message of a robot in lockstep, about itself.
 struct LockstepGreeting {
   int protocol = 0;
-  std::string commit;              ///< From which its program was built.
-  std::vector<std::string> kicks;  ///< Its special actions that are kicks.
+  std::string commit;              ///< Commit from which its program was built.
+  std::vector<std::string> kicks;  ///< Names of its special actions that are kicks.
 
   static constexpr auto fields() {
     return Fields{field<&LockstepGreeting::protocol>(), field<&LockstepGreeting::commit>(),
@@ -28,7 +28,7 @@ struct LockstepGreeting {
 /// The names of the special actions that are kicks.
 std::vector<std::string> kickNames(const MotionNet& net);
 
-/// Why a robot in lockstep cannot be started: an Error.
+/// The reason why a robot in lockstep cannot be started: an Error.
 struct LockstepFailure {
   std::string file;
   int line = 0, column = 0;
@@ -42,14 +42,14 @@ struct LockstepFailure {
   }
 };
 
-/// What robots in lockstep and the simulator may send each other.
+/// The message types that robots in lockstep and the simulator may send each other.
 const Vocabulary& lockstepVocabulary();
-/// The capacity of its queues: an image of the largest camera, and the rest.
+/// Capacity (bytes) of the queues: an image of the largest camera, and the other messages.
 constexpr std::size_t lockstepQueueSize = 8 << 20;
 
 /// Runs a whole robot in this program, as fast as the simulator at the other end of the socket
-/// sends what it senses: the same in, the same bits out. The clock of the messages is its only one.
-/// Returns when the simulator closes the connection.
+/// sends sensor data. The same input yields the same output, bit for bit. The time in the messages
+/// is the only clock. Returns when the simulator closes the connection.
 Result<void> runInLockstep(const RobotProgramOptions& options, const RobotModules& modules,
                            FileDescriptor socket);
 

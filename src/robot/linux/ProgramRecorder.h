@@ -15,22 +15,22 @@ namespace gt {
 
 class Wire;
 
-/// Records a robot's log in its Debug process, as config/log.cfg wants it: what the other processes
-/// tell, and images of the platform's camera.
+/// Records a robot's log in its Debug process, as defined by config/log.cfg: messages of the other
+/// processes, and images of the platform's camera.
 class ProgramRecorder {
  public:
   static Result<std::unique_ptr<ProgramRecorder>> open(const RobotProgramOptions& options,
                                                        const Layout& layout,
                                                        const RobotModules& modules);
 
-  /// Has come in what the platform sends.
+  /// Subscribes to the packages that the platform sends.
   void connect(Wire& wire);
-  /// Asks each process for what the log shall hold, again when it was started again.
+  /// Requests the contents of the log from each process, and again after a process was restarted.
   void ask(const Wire& wire, MessageQueue& requests);
-  /// Writes what came in; `now` in ms. If the log can no longer be written, because the disk is
-  /// full or the file was truncated, another one is begun as soon as that is possible.
+  /// Writes the received data; `now` in ms. If the log can no longer be written, because the disk
+  /// is full or the file was truncated, starts another log as soon as that is possible.
   void write(const Wire& wire, const MessageQueue& messages, std::int64_t now);
-  /// What happened to the log and was not yet reported, line by line.
+  /// Returns the events concerning the log that were not yet reported, one per line.
   std::vector<std::string> takeNews() { return std::exchange(news_, {}); }
 
  private:
@@ -61,7 +61,7 @@ class ProgramRecorder {
   PackageReceiver pictures_{representation<Image>(), &picture_};
   std::int64_t imagePeriod_ = 0, nextRequest_ = 0;
   Time lastPicture_ = never();
-  bool broken_ = false;  ///< The log, and no other one could be begun.
+  bool broken_ = false;  ///< Whether the log failed and no other one could be started.
   std::vector<std::string> news_;
 };
 

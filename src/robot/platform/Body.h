@@ -21,59 +21,61 @@
 
 namespace gt {
 
-/// What a robot gets from its body in one tick: packages, as from sensors, camera and network. The
-/// one list of them: simulator, programs on a wire, logs and recorders follow from it.
+/// The packages that a robot receives from its body in one tick, from sensors, camera and network.
+/// This is the only list of them: simulator, programs on a wire, logs and recorders use it.
 struct RobotInput {
   Time now;
   SensorDataBuffer sensors;
   const Image* image = nullptr;  ///< Null in ticks without an image; valid during the cycle only.
   GameControlData game;
   TeamMessages team;
-  /// The truth, with each image. No body senses it, so it is in none of the lists: the simulator
-  /// hands it on to robots that were given it by name (SimulatedRobot::giveTruth).
+  /// Ground truth, with each image. It is in none of the lists, because no body measures it. The
+  /// simulator passes it to robots for which it was explicitly requested
+  /// (SimulatedRobot::giveTruth).
   OracledWorldState oracle;
 
-  /// What comes in each tick, and what comes with each image; the image last: it starts a
-  /// cycle, which shall have all that belongs to it.
+  /// The packages of each tick, and those of each image. The image comes last, because it starts a
+  /// cycle that needs all the other packages.
   static constexpr auto eachTick() { return std::tuple{&RobotInput::sensors}; }
   static constexpr auto eachImage() {
     return std::tuple{&RobotInput::game, &RobotInput::team, &RobotInput::image};
   }
 
-  /// Hands over the packages of this tick in their order, take(package); those of an image only if
-  /// there is one and it is wanted.
+  /// Calls take(package) for the packages of this tick in their order. The packages of an image are
+  /// included only if there is an image and `withImage` is set.
   template <typename Take>
   void forEach(Take&& take, bool withImage = true) const;
 };
 
-/// What a robot gives to its body. It stays as it is until a cycle changes it; `message` and
-/// `camera` are empty before each cycle.
+/// The packages that a robot sends to its body. They keep their values until a cycle changes them;
+/// `message` and `camera` are empty before each cycle.
 struct RobotOutput {
   JointData joints;
-  OdometryData odometry;  ///< Moves the robot, in the kinematic fidelity: its change is the step.
+  OdometryData odometry;  ///< Moves the robot in the kinematic fidelity, by its change since the
+                          ///< last tick.
   LedValue leds;
   JointGains gains{};
   Speaker speaker{};
-  /// The special action that is performed, or none: in the kinematic fidelity kicks play the ball
-  /// as their table says. No body takes it, so it is in no list.
+  /// The special action that is performed, or none. In the kinematic fidelity, kicks move the ball
+  /// according to their table. It is in no list, because no body uses it.
   std::string specialAction{};
   std::optional<TeamMessage> message;
-  std::optional<CameraSettings> camera;  ///< If the camera shall be set in another way.
+  std::optional<CameraSettings> camera;  ///< Set if the camera's settings shall change.
 
   static constexpr auto commands() {
     return std::tuple{&RobotOutput::joints, &RobotOutput::odometry, &RobotOutput::leds,
                       &RobotOutput::gains,  &RobotOutput::speaker,  &RobotOutput::message,
                       &RobotOutput::camera};
   }
-  /// Visits each command, visit(command); those that not each cycle gives are optional.
+  /// Calls visit(command) for each command; those that are not given in each cycle are optional.
   template <typename Visit>
   void forEach(Visit&& visit) {
     std::apply([&](auto... commands) { (visit(this->*commands), ...); }, commands());
   }
 };
 
-/// What a robot believes and does, as it is at the end of its last cycle, for who watches it; null
-/// what it does not provide.
+/// The beliefs and decisions of a robot at the end of its last cycle, for observers. Parts that the
+/// robot does not provide are null.
 struct Belief {
   const RobotPose* pose = nullptr;
   const BallModel* ball = nullptr;
@@ -83,7 +85,7 @@ struct Belief {
   static constexpr auto parts() {
     return std::tuple{&Belief::pose, &Belief::ball, &Belief::state, &Belief::motion};
   }
-  /// Visits each part, visit(part), with the type of its value.
+  /// Calls visit(part) for each part, with the type of its value.
   template <typename Visit>
   void forEach(Visit&& visit) {
     std::apply([&](auto... parts) { (visit(this->*parts), ...); }, parts());
@@ -123,13 +125,13 @@ std::tuple<Slot<typename PackageOfMember<Members>::Type>...> slotsFor(std::tuple
 
 }  // namespace detail
 
-/// A tuple with a Slot<T> for each package that a body sends or takes.
+/// A tuple with a Slot<T> for each package that a body sends or receives.
 template <template <typename> class Slot>
 using InputSlots = decltype(detail::slotsFor<Slot>(
     std::tuple_cat(RobotInput::eachTick(), RobotInput::eachImage())));
 template <template <typename> class Slot>
 using CommandSlots = decltype(detail::slotsFor<Slot>(RobotOutput::commands()));
-/// The same for what is believed.
+/// A tuple with a Slot<T> for each part of Belief.
 template <template <typename> class Slot>
 using BeliefSlots = decltype(detail::slotsFor<Slot>(Belief::parts()));
 
@@ -145,7 +147,7 @@ struct ReceivedPackage {
   T value;
   PackageReceiver receiver{representation<T>(), &value};
 
-  /// Whether a new one has come since the last call.
+  /// Returns whether a new package has arrived since the last call.
   bool take() {
     receiver.receive();
     receiver.request();

@@ -6,21 +6,23 @@
 
 namespace gt {
 
-/// What the platform sends to a robot where it senses for itself: in a simulator or on hardware.
+/// The representations that a platform with its own sensors sends to a robot: a simulator or
+/// hardware.
 const std::vector<const RepresentationType*>& platformRepresentations();
 
-/// The same and the truth (OracledWorldState): what a simulator sends to a robot that was given it.
+/// Additionally contains the truth (OracledWorldState), for robots to which a simulator sends it.
 std::vector<const RepresentationType*> representationsWithTruth();
 
-/// What such a platform takes from the robot: its commands, and its message to its team.
+/// The representations that such a platform receives from the robot: commands, and the message to
+/// the team.
 const std::vector<const RepresentationType*>& commandRepresentations();
 
-/// Whether a platform takes a type of package.
+/// Whether a platform receives a type of package.
 bool isCommand(const RepresentationType& type);
 
-/// The process that sends a representation to others: the one whose task provides it. No task
-/// provides CameraSettings: they come from the first process that reads images. Empty if there is
-/// none.
+/// The name of the process that sends a representation: the one whose task provides it.
+/// CameraSettings are not provided by a task; they are sent by the first process that reads images.
+/// Empty if there is none.
 std::string senderOf(const Plan& plan, const RepresentationType& type);
 
 }  // namespace gt

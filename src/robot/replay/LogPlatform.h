@@ -9,22 +9,23 @@
 
 namespace gt {
 
-/// The platform of a robot that runs on a log: instead of sensor readings it sends what was
-/// recorded, image by image, and drops the robot's commands.
+/// The platform of a robot that runs on a log. Sends the recorded data, image by image, instead of
+/// sensor readings, and ignores the robot's commands.
 class LogPlatform {
  public:
-  /// What a log provides: images, the camera matrix of each, odometry.
+  /// The representations that a log provides: images, the camera matrix of each, odometry.
   static const std::vector<const RepresentationType*>& representations();
 
-  /// Makes the robot; `setup.platform` becomes what a log provides. The log outlives the platform.
+  /// Makes the robot; `setup.platform` is replaced by the representations of a log. The log must
+  /// outlive the platform.
   static Result<LogPlatform> make(const NaoLog& log, RobotSetup setup);
 
   bool finished() const { return next_ == log_->pictures.size(); }
-  /// Sends the next image and what was recorded with it, and gives the robot's processes their
-  /// turn. An image that cannot be decoded is an error; the step after it goes on behind it.
+  /// Sends the next image and the data that was recorded with it, and lets the robot's processes
+  /// run. Returns an error if the image cannot be decoded; the next step continues after it.
   Result<void> step();
 
-  /// Of the last step.
+  /// The image of the last step.
   const NaoImage& picture() const { return log_->pictures[next_ - 1]; }
   const Image& image() const { return image_; }
   /// What the robot drew on that image.

@@ -16,69 +16,71 @@
 
 namespace gt {
 
-/// Names, in a log's metadata, that a robot's program recorded itself from its begin on: then its
-/// modules remembered nothing, whenever the platform had begun.
+/// Metadata name which states that a robot's program recorded the log from its own start on. In
+/// this case the modules had no internal state at the begin, regardless of when the platform had
+/// started.
 constexpr const char* beginsWithProgram = "begins with";
 
-/// How a log is replayed; by default as it was recorded.
+/// Options of a replay; the default is to replay the log as it was recorded.
 struct ReplayOptions {
   std::string log;
-  /// Another configuration than the log's own, where it has one. It runs on what was recorded: what
-  /// the robot decided comes from the log, since its body did that.
+  /// A configuration that replaces the log's own. It is applied to the recorded data; the robot's
+  /// decisions are taken from the log, because its body executed those.
   std::shared_ptr<const Configuration> configuration{};
   std::string layout{};  ///< Another layout; needed where the log has none.
-  /// Other solutions of tasks. They run on what was recorded, too.
+  /// Other solutions of tasks. They are also applied to the recorded data.
   std::vector<Configuration::SolutionChoice> solutions{};
-  /// With another configuration or other solutions, the robot decides anew, too. Its odometry is
-  /// then that of a walk which the recorded sensors never saw.
+  /// If set, the robot also makes its decisions again with another configuration or other
+  /// solutions. Its odometry is then that of a walk which the recorded sensors never measured.
   bool wholeRobot = false;
-  /// Called with what of the log is damaged or cannot be read.
+  /// Called with damaged or unreadable parts of the log.
   std::function<void(const Error&)> warn{};
 };
 
-/// The platform of a robot that runs on a log: sends what the log's robot got from its platform
-/// (/input/…), at the recorded times, into whatever modules the layout has, as fast as it goes.
-/// With the same modules all that they compute is the same, bit for bit. What they cannot compute,
-/// since what it is made of was not recorded, comes from the log, as far as it was recorded itself:
-/// the log stands for tasks that are disabled. Recorded types may have changed since: they are read
-/// by name.
+/// The platform of a robot that runs on a log. Sends the packages that the log's robot received
+/// from its platform (/input/…), at the recorded times, to the modules of the layout, as fast as
+/// possible. With the same modules all results are the same, bit for bit. Results that cannot be
+/// computed because their inputs were not recorded are taken from the log, if they were recorded:
+/// the log replaces disabled tasks. Recorded types may have changed since: they are read by name.
 class ReplayPlatform {
  public:
   static Result<ReplayPlatform> make(const ReplayOptions& options);
 
-  /// Sends what belongs to the next moment and lets the robot step; false at the log's end.
+  /// Sends the data of the next moment and executes a step of the robot. Returns false at the log's
+  /// end.
   Result<bool> step();
-  /// Begins anew with a new robot, which runs through the log up to a moment from some seconds
-  /// before it on. References to the robot that was are no longer valid.
+  /// Starts again with a new robot, which replays the log up to a moment, beginning some seconds
+  /// before it. References to the previous robot become invalid.
   Result<void> goTo(std::size_t moment);
-  /// Called with each such robot before it runs.
+  /// Called with each new robot before it runs.
   void onNewRobot(std::function<void(Robot&)> prepare) { newRobot_ = std::move(prepare); }
-  /// Also has the robot send to its tools what the log's robot sent under debug keys: drawings,
-  /// plots, what the behavior did; unless it computes that itself, since the key is on.
+  /// Also lets the robot send to its tools the output of the log's robot under debug keys:
+  /// drawings, plots, behavior states. Not used for keys that are on, because the robot computes
+  /// their output itself.
   void showRecorded() { showsRecorded_ = true; }
-  /// Called with all that is sent to the robot, as its platform does.
+  /// Called with all packages that are sent to the robot by its platform.
   using InputHandler = std::function<void(Time, const RepresentationType&, const void* package)>;
   void onInput(InputHandler handle) { input_ = std::move(handle); }
-  /// What makes the robot: as recorded, with what is wanted instead.
+  /// The robot's setup: as recorded, with the replacements of the options.
   const RecordedSetup& recorded() const { return recorded_; }
-  /// Why what the robot computes may differ from what it computed when the log was recorded,
-  /// although its modules are the same; one sentence each.
+  /// The reasons why the robot's results may differ from the recorded ones although its modules are
+  /// the same; one sentence each.
   const std::vector<std::string>& caveats() const { return caveats_; }
-  /// Has the robot run another solution of a task from now on, on what was recorded; see
+  /// Lets the robot use another solution of a task from now on, on the recorded data; see
   /// ReplayOptions.
   void runsAnother(const std::string& task);
 
-  /// What of the log is damaged or cannot be read, each once; nothing if all has been taken.
+  /// Returns damaged or unreadable parts of the log, each once; empty if all have been returned.
   std::optional<Error> takeWarning();
 
   LogPlayer& player() { return player_; }
   Time now() const { return now_; }
   Robot& robot() { return *robot_; }
   const Robot& robot() const { return *robot_; }
-  /// Why a task cannot be solved on this log; empty if it can.
+  /// The reason why a task cannot be solved on this log; empty if it can.
   std::string missingFor(std::string_view task) const;
-  /// What the robot sends to its tools: the recorded representations that it has, too, and all that
-  /// its modules compute, if `watchAll` was called.
+  /// The representations that the robot sends to its tools: the recorded ones that it has, and also
+  /// all results of its modules if `watchAll` was called.
   const std::vector<const RepresentationType*>& watched() const { return watched_; }
   void watchAll();
 
@@ -86,12 +88,12 @@ class ReplayPlatform {
   /// A recorded channel.
   struct Channel {
     const RepresentationType* type;
-    std::optional<MessageDefinition> definition;  ///< If the recorded type is another one.
+    std::optional<MessageDefinition> definition;  ///< Set if the recorded type differs.
     std::shared_ptr<void> value;
-    bool input = false;       ///< From the platform; otherwise what the robot sent.
-    bool provided = false;    ///< By a task of the robot that runs on the log.
-    bool sent = false;        ///< To that robot, as from its platform.
-    bool unreadable = false;  ///< A message was; it has been reported.
+    bool input = false;       ///< Whether it came from the platform; otherwise the robot sent it.
+    bool provided = false;    ///< Whether a task of the robot that runs on the log provides it.
+    bool sent = false;        ///< Whether it is sent to that robot as from its platform.
+    bool unreadable = false;  ///< Whether an unreadable message was found and reported.
   };
 
   explicit ReplayPlatform(LogPlayer player) : player_{std::move(player)} {}
@@ -118,8 +120,8 @@ class ReplayPlatform {
   std::unique_ptr<Robot> robot_;
   std::vector<std::optional<Channel>> channels_;  ///< By the channels' ids.
   std::vector<Configuration::SolutionChoice> solutions_;
-  std::set<std::string> chosen_;  ///< Tasks with another solution than the log's.
-  bool otherFiles_ = false;       ///< Than those in the log.
+  std::set<std::string> chosen_;  ///< Tasks with another solution than in the log.
+  bool otherFiles_ = false;       ///< Whether other files than those in the log are used.
   bool wholeRobot_ = false;
   std::vector<std::string> caveats_;
   std::vector<const RepresentationType*> watched_;
@@ -127,10 +129,11 @@ class ReplayPlatform {
   InputHandler input_;
   std::deque<Error> warnings_;
   SensorDataBuffer sensors_;
-  Image image_;  ///< Without what the robot saw: only its header was recorded.
+  Image image_;  ///< Without pixels and percepts: only its header was recorded.
   bool showsRecorded_ = false;
   bool pixels_ = true;           ///< Whether whole images were recorded.
-  std::string perceptOfImages_;  ///< Comes with each image, if not even headers were recorded.
+  std::string perceptOfImages_;  ///< Representation that triggers a cycle with each image, if not
+                                 ///< even headers were recorded.
   Time now_;
 };
 

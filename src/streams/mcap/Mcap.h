@@ -18,19 +18,19 @@
 /// are: messages in CDR, schemas as `ros2msg`, compressed chunks, an index at the end.
 namespace gt {
 
-/// A point in time as it stands in logs, in nanoseconds since the robot's start; what was before
-/// the start is at the start. Times of logs of other programs have all 64 bits.
+/// A point in time as stored in logs, in nanoseconds since the robot's start. Times before the
+/// start become 0. Times in logs of other programs use all 64 bits.
 constexpr std::uint64_t nanoseconds(Time time) {
   return time.ms > 0 ? static_cast<std::uint64_t>(time.ms) * 1'000'000 : 0;
 }
 
-/// A time of a log as people read it: 12.800 s.
+/// Formats a time (ns) of a log for people: 12.800 s.
 std::string timeText(std::uint64_t nanoseconds);
 
 using McapMap = std::map<std::string, std::string>;
 using McapBytes = std::vector<std::byte>;
 
-/// What a log states about itself.
+/// Information of a log about itself.
 struct McapHeader {
   std::string profile = "ros2", library = "gt2003";
   McapBytes rest{};  ///< What follows the known fields.
@@ -39,10 +39,10 @@ struct McapHeader {
 /// How a log is written.
 struct McapOptions {
   bool compress = true;
-  int level = 1;                     ///< Of zstd: 1 fast to 19 small.
+  int level = 1;                     ///< Compression level of zstd: 1 is fast, 19 compresses most.
   std::size_t chunkSize = 1u << 20;  ///< Bytes after which a chunk is complete.
-  /// Written under the name PATH.part until it is closed. A log that is not closed is removed, and
-  /// one that was there before stays.
+  /// If set, the log is written under the name PATH.part until it is closed. A log that is not
+  /// closed is removed, and an earlier log of that name is kept.
   bool atOnce = false;
   McapHeader header{};
 };
@@ -61,12 +61,13 @@ struct McapChannel {
   std::string messageEncoding;
   std::string schemaName, schemaEncoding, schemaText;  ///< Empty if the log lacks the schema.
   std::uint64_t messageCount = 0;                      ///< 0 if the log has no statistics.
-  std::uint16_t schema = 0;                            ///< Its id; 0 if the channel has none.
+  std::uint16_t schema = 0;                            ///< Id of its schema; 0 if the channel has
+                                                       ///< none.
   McapMap metadata{};
   McapBytes rest{};  ///< What follows the known fields.
 };
 
-/// A message of a log; the data is valid until the next one is read.
+/// A message of a log. The data is valid until the next message is read.
 struct McapMessage {
   std::uint16_t channel = 0;
   std::uint32_t sequence = 0;
@@ -88,25 +89,26 @@ struct McapAttachment {
   McapBytes rest{};  ///< What follows the known fields.
 };
 
-/// A record of a kind that the format does not define (yet), as it stands in the file.
+/// A record of a kind that the format does not define (yet), stored unchanged.
 struct McapUnknownRecord {
   std::uint8_t opcode = 0;
   McapBytes content{};
 };
 
-/// What a log states about its content.
+/// Statistics of a log about its content.
 struct McapStatistics {
   std::uint64_t messages = 0;
   std::uint16_t schemas = 0;
   std::uint32_t channels = 0, attachments = 0, metadata = 0, chunks = 0;
   std::uint64_t begin = 0, end = 0;
-  std::map<std::uint16_t, std::uint64_t> messagesOf{};  ///< By channel; empty: not stated.
+  std::map<std::uint16_t, std::uint64_t> messagesOf{};  ///< Number of messages by channel; empty if
+                                                        ///< not stated.
 };
 
-/// Writes a log, which is locked meanwhile (OutputLock). What was written in whole chunks is
-/// readable however the program ends. After an error (a full disk, a file that another program has
-/// truncated or removed) nothing more is written; flush() and close() return it. The same calls
-/// give the same bytes.
+/// Writes a log, which is locked meanwhile (OutputLock). All complete chunks are readable, however
+/// the program ends. After an error (a full disk, a file that another program has truncated or
+/// removed) nothing more is written, and flush() and close() return the error. The same calls yield
+/// the same bytes.
 class McapWriter {
  public:
   using ChannelId = std::uint16_t;
@@ -117,24 +119,26 @@ class McapWriter {
   McapWriter& operator=(McapWriter&&) noexcept;
   ~McapWriter();  ///< Closes the log, or removes it if it is written at once.
 
-  /// The channel of a topic; one that was added before with the same schema keeps its channel.
+  /// Adds a channel for a topic and returns it. If the topic was added before with the same schema,
+  /// returns the existing channel.
   ChannelId addChannel(const std::string& topic, const Schema& schema);
   template <Streamable T>
   ChannelId addChannel(const std::string& topic) {
     return addChannel(topic, schemaOf<T>());
   }
-  /// A schema, or a channel with a schema of this log (or none), as it stood in another log; keeps
-  /// its id if that is free. Returns the id.
+  /// Adds a schema, or a channel with a schema of this log (or none), as read from another log.
+  /// Keeps the id if that is free. Returns the id.
   std::uint16_t addSchema(const McapSchema& schema);
   ChannelId addChannel(const McapChannel& channel);
 
-  /// Appends a message in CDR with its header; the time in nanoseconds.
+  /// Appends a message in CDR with its header; `time` is in nanoseconds.
   void write(ChannelId channel, std::uint64_t time, std::span<const std::byte> message);
   template <Streamable T>
   void write(ChannelId channel, Time time, const T& value) {
     encodeTo(value, beginMessage(channel, nanoseconds(time), encodedSize(value)));
   }
-  /// The same by the topic's name, which adds the channel if need be. Per frame, use its id.
+  /// Writes a value by the topic's name and adds the channel if necessary. Prefer the channel's id
+  /// for messages that are written in every frame.
   template <Streamable T>
   void write(const std::string& topic, Time time, const T& value) {
     write(addChannel<T>(topic), time, value);
@@ -149,26 +153,26 @@ class McapWriter {
                   std::span<const std::byte> data);
   void unknown(const McapUnknownRecord& record);
 
-  /// Ends the chunk, so that everything up to here is readable after a crash. Returns the first
-  /// error since open().
+  /// Finishes the chunk, so that everything written so far is readable after a crash. Returns the
+  /// first error since open().
   Result<void> flush();
   /// Writes the index. Returns the first error since open().
   Result<void> close();
-  /// The first error since open(), once: for who reports it as soon as it happens.
+  /// Returns the first error since open(), only once: for callers that report errors immediately.
   std::optional<Error> takeError();
 
  private:
   struct State;
   explicit McapWriter(std::unique_ptr<State> state);
-  /// Appends a message's begin and returns where its bytes go.
+  /// Appends the header of a message and returns the place for its bytes.
   std::byte* beginMessage(ChannelId channel, std::uint64_t time, std::size_t size);
 
   std::unique_ptr<State> state_;
 };
 
-/// Reads a log, whatever of it is whole: of what its index does not list the records are looked
-/// through, of a log without an index all of them. What is damaged loses itself only. No input
-/// crashes it.
+/// Reads all undamaged parts of a log. Parts that the index does not list are scanned record by
+/// record; without an index, the whole file is scanned. Damage only affects the damaged records.
+/// Safe on any input.
 class McapReader {
  public:
   using Metadata = McapMetadata;
@@ -186,7 +190,7 @@ class McapReader {
   const McapChannel* channel(std::uint16_t id) const;
   const std::vector<Metadata>& metadata() const;
   const std::vector<Attachment>& attachments() const;
-  /// Those in chunks once the chunks have been read.
+  /// Unknown records; those in chunks are included once the chunks have been read.
   const std::vector<McapUnknownRecord>& unknown() const;
   /// How many records of unknown kinds the index holds; they are not read.
   std::size_t unknownInIndex() const;
@@ -195,20 +199,19 @@ class McapReader {
   bool complete() const;
   /// Whether the log has an index that is whole.
   bool indexed() const;
-  /// Reads the file once more; false if its data have not the checksum that the log states for all
-  /// of them.
+  /// Reads the file again and verifies the checksum of all data. Returns false if it is wrong.
   bool hasDataChecksum();
-  /// What the log states about its content, if it does.
+  /// The log's statistics; empty if it has none.
   const std::optional<McapStatistics>& statistics() const;
   std::size_t chunks() const;
-  /// What is damaged, each once, with the time that is lost: what was found when the log was opened
-  /// and since then by next().
+  /// All damage found when the log was opened and by next() since then, each once, with the time
+  /// range that is lost.
   const std::vector<Error>& damage() const;
 
-  /// The next message in the file's order; nothing at the end. What is damaged is passed over. A
-  /// log that another program changes ends there.
+  /// Returns the next message in the file's order; empty at the end. Damaged parts are skipped. If
+  /// another program changes the log, it ends there.
   std::optional<McapMessage> next();
-  /// Goes on with the first chunk that holds messages of this time (in nanoseconds) or later ones.
+  /// Continues with the first chunk that contains messages of this time (in nanoseconds) or later.
   void seek(std::uint64_t time);
 
  private:

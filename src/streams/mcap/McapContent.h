@@ -13,10 +13,10 @@
 #include "streams/mcap/Mcap.h"
 #include "streams/mcap/McapRecords.h"
 
-/// What is in an MCAP file, as McapReader finds it.
+/// The content of an MCAP file, as found by McapReader.
 namespace gt::mcap {
 
-/// A file that is read here and there; small reads that follow one another read it once.
+/// A file with random access. Small reads of adjacent ranges read the file only once.
 class LogBytes {
  public:
   static Result<LogBytes> open(const std::string& path);
@@ -24,7 +24,8 @@ class LogBytes {
   std::uint64_t size() const { return size_; }
   /// Returns false if the file does not have these bytes.
   bool read(std::uint64_t offset, std::uint64_t length, Bytes& bytes);
-  /// Whether somebody has written to it since it was opened, other than at its end if it `mayGrow`.
+  /// Whether another program has written to the file since it was opened. If `mayGrow`, appending
+  /// does not count.
   bool hasChanged(bool mayGrow) const;
 
  private:
@@ -39,25 +40,25 @@ class LogBytes {
 
 /// A stretch of the file that holds messages: a chunk, or messages outside of chunks.
 struct Segment {
-  std::uint64_t begin = 0, length = 0;  ///< Of whole records.
+  std::uint64_t begin = 0, length = 0;  ///< Bytes of complete records.
   std::uint64_t firstTime = 0, lastTime = 0;
   bool isChunk = true;
-  bool looked = false;   ///< What it holds beside messages is known.
+  bool looked = false;   ///< Whether its records other than messages have been read.
   bool damaged = false;  ///< Damage in it has been reported.
   bool lost = false;     ///< Nothing of it can be read.
 };
 
-/// A place in the file that the index names: a chunk, an attachment, metadata.
+/// A place in the file that the index lists: a chunk, an attachment, metadata.
 struct IndexedPlace {
-  std::uint64_t length = 0;       ///< Of the record, with its header.
-  std::uint64_t indexLength = 0;  ///< Of what indexes a chunk's messages and follows it.
+  std::uint64_t length = 0;       ///< Length of the record with its header, in bytes.
+  std::uint64_t indexLength = 0;  ///< Length of the message indexes that follow a chunk, in bytes.
   std::uint64_t firstTime = 0, lastTime = 0;
   bool isChunk = false;
 };
 
 struct RecordHeader {
   Opcode opcode{};
-  std::uint64_t length = 0;  ///< Of the content.
+  std::uint64_t length = 0;  ///< Length of the content, in bytes.
 
   std::uint64_t whole() const { return recordHeaderSize + length; }
 };
@@ -67,24 +68,24 @@ constexpr bool isKnown(Opcode opcode) {
   return opcode >= Opcode::header && opcode <= Opcode::dataEnd;
 }
 
-/// A stretch of time as it stands in errors.
+/// Formats a time range for errors.
 std::string stretchText(std::uint64_t first, std::uint64_t last);
 
-/// What a log holds beside its messages, and where these are.
+/// The content of a log other than its messages, and the positions of the messages.
 class LogContent {
  public:
-  /// Finds what is in a log: by its index, and without it where that is missing or wrong.
+  /// Surveys a log by its index, or by scanning it where the index is missing or wrong.
   static Result<std::unique_ptr<LogContent>> survey(const std::string& path);
 
   LogContent(std::string path_, LogBytes file_) : path{std::move(path_)}, file{std::move(file_)} {}
 
-  /// Reports damage, each once; the field says where it is.
+  /// Reports damage, each once; `field` states the place.
   void note(std::string field, std::string what);
   void note(Segment& damaged, const std::string& what);
   const McapChannel* channel(std::uint16_t id) const;
   /// The records of a segment, which lie in one of the buffers.
   Result<std::span<const std::byte>> load(const Segment& from, Bytes& record, Bytes& unpacked);
-  /// Whether the data have the checksum that the log states; true if it states none.
+  /// Verifies the checksum of the data; true if the log states none.
   bool hasDataChecksum();
 
   std::string path;
@@ -105,7 +106,7 @@ class LogContent {
 
  private:
   static Result<std::unique_ptr<LogContent>> survey(const std::string& path, bool useIndex);
-  /// The time up to which all that was found so far reaches; empty if there is none.
+  /// The time of the last message found so far, as text for errors; empty if there are none.
   std::string afterLast() const;
 
   std::optional<RecordHeader> headerAt(std::uint64_t offset);
