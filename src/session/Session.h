@@ -152,7 +152,7 @@ class Session {
   Pace pace_;
   Clock::time_point paceBegin_ = Clock::now();
   Time paceTime_;
-  Clock::time_point paceSince_ = paceBegin_;  ///< Where paceBegin_ was before steps came too late.
+  Clock::time_point paceSince_ = paceBegin_;  ///< The value of paceBegin_ before any late step.
   bool slownessReported_ = false;
   bool started_ = false;
   std::atomic<bool> interrupted_ = false;

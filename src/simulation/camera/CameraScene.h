@@ -26,7 +26,7 @@ double reachFromRoot(const mjModel& model, int geom);
 /// The forms that the cameras draw; spheres are drawn as ellipsoids.
 enum class CameraForm : std::uint8_t { plane, box, ellipsoid, cylinder, capsule, mesh };
 
-/// What the cameras need to know of one MuJoCo geom beside its pose. Meters.
+/// The data of one MuJoCo geom that the cameras need beside its pose. Meters.
 struct CameraShape {
   static constexpr int shadeCount = 32;
 

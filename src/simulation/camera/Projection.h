@@ -20,7 +20,7 @@ struct ScreenPoint {
 /// of the image; within a row it is linear.
 struct ScreenPlane {
   float first0 = 0, first1 = 0, first2 = 0, column0 = 0, column1 = 0, distance0 = 1, distance1 = 0;
-  bool clockwise = true;  ///< How the polygon's points go round in the image.
+  bool clockwise = true;  ///< Whether the polygon's points are clockwise in the image.
 
   /// Inverse depth at column 0 of several rows at once, before the division by `distanceAt`.
   Floats firstColumnAt(Floats y) const { return first0 + y * (first1 + y * first2); }

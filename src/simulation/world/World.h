@@ -214,7 +214,7 @@ class World {
   std::size_t putCount_ = 0;
   std::vector<bool> robotCounts_, ballCounts_;  ///< False while they wait for being put.
   std::vector<float> emission_;  ///< Of the model's lights: diffuse red, green, blue.
-  std::vector<double> shares_;   ///< How strongly they shine now.
+  std::vector<double> shares_;   ///< Present emission of each light, as a share of `emission_`.
   std::vector<std::array<Pose3D, cameraHistory>> cameras_;  ///< Newest first.
 };
 
