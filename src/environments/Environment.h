@@ -135,8 +135,8 @@ struct EnvironmentDescription {
 /// All environments.
 std::span<const EnvironmentDescription> environments();
 
-/// Makes an environment with options, which are completed by its defaults; it has to be reset. If
-/// `same`, an environment with the same options, is passed, no files are read. Fails if there is no
+/// Makes an environment with options, which are completed by its defaults; it has to be reset.
+/// `same`, an environment with the same options, saves the reading of files. Fails if there is no
 /// such environment or option.
 Result<std::unique_ptr<Environment>> makeEnvironment(EnvironmentOptions options,
                                                      const DataRoot& root,
