@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Placeholders for files: those of a folder may be named without it and without their extension.
+/// Placeholders for files. Files of `folder` may be named without the folder and the extension.
 struct FileKind {
   std::string_view placeholder, folder, extension;
   bool data = false;  ///< Whether the folder is one of the data root.
@@ -25,7 +25,7 @@ constexpr FileKind fileKinds[] = {{"FILE", "", ""},
 
 constexpr std::size_t mostFiles = 500;
 
-/// The files and folders that a word may become.
+/// The files and folders that complete a word.
 void addFiles(std::vector<std::string>& found, const std::string& word, const FileKind& kind,
               const DataRoot& root) {
   const fs::path begun{word};

@@ -8,7 +8,7 @@
 
 namespace gt {
 
-/// Reads a condition.
+/// Parses a condition.
 class ConditionParser {
  public:
   explicit ConditionParser(std::string_view text) : text_{text} { next(); }
@@ -68,7 +68,7 @@ class ConditionParser {
     return true;
   }
 
-  /// The operators between two operands, by how tightly they bind.
+  /// The binary operators, by their precedence.
   struct Binary {
     std::string_view token;
     Operator operation;
@@ -85,8 +85,8 @@ class ConditionParser {
       {"-", Operator::minus, sum},           {"*", Operator::times, product},
       {"/", Operator::divide, product}};
 
-  /// What operators of a level or tighter ones join, from the left; comparisons do not follow each
-  /// other.
+  /// Parses an expression of operators of a level or of higher precedence, which associate to the
+  /// left; comparisons cannot be chained.
   int read(int level = 0) {
     if (level > product) return readFactor();
     if (level == negation) return readNot();
@@ -248,7 +248,7 @@ class ConditionValues {
     if (!found) fail({.field = at(index).text, .what = "is no robot or ball of the scene"});
     return found.value_or(Vector2d::Zero());
   }
-  /// The text of a value; of a name that is no value the name itself, such as playing.
+  /// The text of a value, or the name itself if it is no value, such as playing.
   std::optional<std::string> text(int index) {
     const Condition::Node& node = at(index);
     if (node.operation != Operator::name) return std::nullopt;

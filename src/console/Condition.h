@@ -15,10 +15,10 @@ namespace gt {
 ///     state == playing or red1.RobotPose.validity > 0.5
 class Condition {
  public:
-  /// An error states the place in the text.
+  /// Parses a condition. An error states the place in the text.
   static Result<Condition> parse(std::string_view text);
 
-  /// Whether it holds now; an error if a value does not exist or has the wrong kind.
+  /// Whether the condition holds now; an error if a value does not exist or has the wrong kind.
   Result<bool> holds(Console& console) const;
 
  private:

@@ -21,7 +21,7 @@ namespace {
 constexpr int deepest = 16;  // scripts that call scripts
 constexpr std::string_view blanks = " \t\r";
 
-/// One word from `at` on, which is moved behind it; empty if a quote is not closed.
+/// Reads one word from `at` on, and moves `at` behind it; empty if a quote is not closed.
 std::optional<std::string> takeWord(std::string_view line, std::size_t& at) {
   std::string word;
   const bool quoted = line[at] == '"';

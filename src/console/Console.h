@@ -19,11 +19,11 @@
 
 namespace gt {
 
-/// The words of a command line, the first is the command. A backslash takes the next character as
-/// it is; what begins with a quote extends to the next one.
+/// The words of a command line; the first is the command. A backslash escapes the next character; a
+/// word that begins with a quote extends to the next quote.
 struct Words : std::vector<std::string> {
   using vector::vector;
-  std::string rest;  ///< What stands behind the command, as it was typed.
+  std::string rest;  ///< The text behind the command, as it was typed.
 };
 
 class Console;
@@ -35,25 +35,25 @@ struct Command {
 
   Kind kind;
   std::string_view name;
-  /// What may stand behind it, as in Usage.h; a line that does not match is refused.
+  /// Its arguments, in the notation of Usage.h; a line that does not match is refused.
   std::string_view arguments;
   std::string_view help;
   Result<void> (*execute)(Console& console, const Words& words);
-  /// What may stand for a placeholder behind the words `before`; null: what its name states.
+  /// The choices for a placeholder behind the words `before`; null: those that its name states.
   Choices choices = nullptr;
-  bool changes = false;  ///< Whether it changes what happens: a loaded state does it again.
+  bool changes = false;  ///< Whether it influences the match: a loaded state repeats it.
   std::string_view topic{};
 };
 
-/// What commands are about: a part of the help.
+/// A topic of commands, which is a part of the help.
 struct HelpTopic {
   std::string_view name;
   std::string_view help;
 };
 const std::vector<HelpTopic>& topics();
 
-/// Executes commands and scripts (report I.5, I.6). Global commands change the whole; robot
-/// commands work on the selected robots, at the start all of them.
+/// Executes commands and scripts (report I.5, I.6). Global commands affect the whole session; robot
+/// commands affect the selected robots, at the start all of them.
 class Console {
  public:
   explicit Console(Session& session);
@@ -63,49 +63,51 @@ class Console {
 
   /// Executes one line. Errors name the line's command or the word that is wrong.
   Result<void> execute(std::string_view line);
-  /// Executes one line for these robots, for all if there are none, whatever is selected. Selections
-  /// and line are noted, so that a loaded state does it again.
+  /// Executes one line for some robots, or for all if `robots` is empty, independent of the
+  /// selection. Selections and line are recorded, so that a loaded state repeats them.
   Result<void> executeFor(const std::vector<std::string>& robots, std::string_view line);
-  /// Executes one line for what a command does that is noted itself.
+  /// Executes one line as a part of another command; only that command is recorded.
   Result<void> executeWithin(std::string_view line);
-  /// The same for what a joystick does, also while another command is executed.
+  /// Executes one line from a joystick and records it, even while another command is executed.
   Result<void> executeInput(std::string_view line);
-  /// Executes a script, one command per line, up to the first error: it names file and line.
+  /// Executes a script, one command per line, up to the first error, which names file and line.
   /// Scripts of the folder scenes/ need neither folder nor extension (.con).
   Result<void> call(const std::string& path);
   /// Executes the script that the scene begins with, if there is one.
   Result<void> callStartScript();
-  /// Ends the scripts that run and the program.
+  /// Ends the running scripts and the program.
   void end() { ended_ = true; }
   bool ended() const { return ended_; }
-  /// For a program that a signal ends: ends the film, and saves recordings that nobody can save any
-  /// more: beside the log to which they were saved last, as `NAME.interrupted.mcap`, or to
-  /// `out/logs/ROBOT.interrupted.mcap`. Returns a line, or an error, for each of them.
+  /// To be called when a signal ends the program: ends the film, and saves recordings that would be
+  /// lost: beside the log to which they were saved last, as `NAME.interrupted.mcap`, or to
+  /// `out/logs/ROBOT.interrupted.mcap`. Returns a line, or an error, for each recording.
   std::vector<Result<std::string>> keepRecordings();
-  /// The session was restarted: forgets what was selected, plotted and loaded, and ends the film.
+  /// To be called when the session was restarted: clears the selection, recorded values and loaded
+  /// files, and ends the film.
   void forget();
 
   static const std::vector<Command>& commands();
   /// A command by its name; null if there is none.
   static const Command* find(std::string_view name);
-  /// What may stand at the end of a line that was typed so far, in the place of its last word.
+  /// The completions of the last word of a line that was typed so far.
   std::vector<std::string> completions(std::string_view line);
 
   Session& session() { return session_; }
   void print(std::string_view line) { session_.screen().print(line); }
 
-  /// The robots that robot commands are for.
+  /// The robots that robot commands affect.
   std::vector<ConsoleRobot*> selected();
   const std::vector<std::string>& selection() const { return selected_; }
   void select(std::vector<std::string> names) { selected_ = std::move(names); }
-  /// Does something for each selected robot, up to the first error, which names the robot.
+  /// Calls work(robot) for each selected robot, up to the first error, which names the robot.
   Result<void> forEachRobot(const std::function<Result<void>(ConsoleRobot&)>& work);
   /// The first selected robot; an error if there is none.
   Result<ConsoleRobot*> firstRobot();
 
   /// The special actions whose names the command mr accepts: those of the session's folder.
   Result<const MotionNet*> motions();
-  /// The behavior whose names the x commands accept: what `xlb` loaded, or what the robots run.
+  /// The behavior whose names the x commands accept: the one that `xlb` loaded, or that of the
+  /// robots.
   Result<const xabsl::Model*> behavior();
   void forgetBehavior() { behavior_.reset(); }
 
@@ -113,28 +115,28 @@ class Console {
   void offer(std::string line) {
     if (offers_.size() < mostOffers) offers_.push_back(std::move(line));
   }
-  /// What was offered since it was asked for last.
+  /// The commands that were offered since the last call.
   std::vector<std::string> takeOffers() { return std::exchange(offers_, {}); }
 
-  /// The views that there are: those of the report, and those that were defined (command view).
+  /// All views: those of the report, and those that were defined (command view).
   std::vector<std::shared_ptr<const View>> views() const;
   /// Defines or redefines a view.
   void define(std::shared_ptr<const View> view);
-  /// Forgets a defined view; false if there is none of this name.
+  /// Removes a defined view; false if there is none of this name.
   bool forgetView(std::string_view name);
-  /// What views show now.
+  /// The present subject of views.
   ViewSubject viewSubject();
 
   Joystick& joystick() { return joystick_; }
-  /// How the joystick moves robots; empty: by `joystick()`.
+  /// The scheme by which the joystick moves robots; empty: by `joystick()`.
   std::optional<JoystickScheme>& joystickScheme() { return scheme_; }
-  /// Reads a joystick of this machine while time passes; null: no longer.
+  /// Attaches a joystick of this machine, which is read while time passes; null detaches it.
   void read(std::unique_ptr<SdlJoystick> joystick);
-  /// Plays on this machine what the selected robots play, or does so no longer.
+  /// Starts or stops playing the selected robots' sounds on this machine.
   void playSounds(bool on);
-  /// What is recorded over time (commands plot and film).
+  /// Records values and films over time (commands plot and film).
   ViewRecorder& recorder() { return *recorder_; }
-  /// Whether a condition did not hold that was expected to: a script that is a test has failed.
+  /// Whether an expected condition did not hold, so that a script that is a test has failed.
   bool expectationFailed() const { return expectationFailed_; }
   void failExpectation() { expectationFailed_ = true; }
 
@@ -156,7 +158,7 @@ class Console {
   std::optional<JoystickScheme> scheme_;
   std::unique_ptr<SoundPlayer> sounds_;
   std::shared_ptr<const void> afterSteps_;
-  int depth_ = 0;  ///< Scripts that call each other.
+  int depth_ = 0;  ///< Number of nested scripts.
   bool noting_ = true, ended_ = false;
   bool expectationFailed_ = false;
 };

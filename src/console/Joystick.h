@@ -12,17 +12,17 @@
 namespace gt {
 
 /// A joystick that moves the selected robots by hand (report I.5.2: jbc, jhc): its axes x, y and z
-/// walk, the accelerator lever moves one joint of the head and the coolie hat the other two. Its
-/// device is the program's; here is what its states mean.
+/// walk, the accelerator lever moves one joint of the head and the coolie hat the other two. The
+/// program reads the device; this class maps its states to requests.
 class Joystick {
  public:
   static constexpr int buttons = 32;
   enum class Axis { x, y, z, accelerator, hatX, hatY };
   enum class HeadAxis { tilt, pan, roll };
 
-  /// The command of a button, 1 to 32; empty: none.
+  /// Sets the command of a button, 1 to 32; empty: none.
   void setCommand(int button, std::string command) { commands_[button] = std::move(command); }
-  /// Which joint of the head the accelerator lever moves; pan without a word.
+  /// Sets the joint of the head that the accelerator lever moves; the default is pan.
   void setHeadAxis(HeadAxis axis) { headAxis_ = axis; }
 
   /// Moves an axis, from -1 to 1.
@@ -33,9 +33,11 @@ class Joystick {
   /// Presses or releases a button; returns its command when it was pressed and has one.
   std::optional<std::string> press(int button, bool down);
 
-  /// Where the robot shall walk, if that has changed; not while a button is pressed (report I.5.2).
+  /// The walk request (mm/s and rad/s, relative to the robot) if it has changed; empty while a
+  /// button is pressed (report I.5.2).
   std::optional<Pose2D> walk();
-  /// How the head shall stand, rad; the hat's directions add up over time.
+  /// The requested angles of the head (rad); the hat's directions are integrated over time. Empty
+  /// if they have not changed.
   std::optional<HeadMotionRequest> head(Time now);
 
  private:

@@ -9,13 +9,13 @@ namespace gt {
 
 class Console;
 
-/// Turns what happens on a joystick into commands of a console: those of buttons at once, movements
-/// of axes at most every 300 ms (report J.5.5), of a hat that is held more often.
+/// Converts events of a joystick into commands of a console: those of buttons at once, movements of
+/// axes at most every 300 ms (report J.5.5), of a hat that is held at most every 40 ms.
 class JoystickInput {
  public:
-  /// Takes all that has happened on a device.
+  /// Processes all pending events of a device.
   void take(Console& console, SdlJoystick& device);
-  /// Passes the axes on if that is due.
+  /// Sends the axes to the console if that is due.
   void update(Console& console);
 
  private:

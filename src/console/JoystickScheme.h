@@ -10,22 +10,22 @@
 
 namespace gt {
 
-/// How a joystick moves a robot (report J.5.5).
+/// The schemes by which a joystick moves a robot (report J.5.5).
 enum class JoystickSchemeKind {
   commands,         ///< By the commands of its buttons, and the axes of `Joystick` (report I.5.2).
   stickSpeed,       ///< The three axes walk; the accelerator lever chooses the head control mode.
   acceleratorSpeed  ///< The lever walks ahead, the axes sideways and turning.
 };
 
-/// The schemes StickSpeed and AcceleratorSpeed (report J.5.5): from axes and buttons to what is
-/// asked of the robot. In both, buttons 1 to 4 kick, 7 gets up, and while 5 is held the stick moves
-/// the head and the robot stands. Button 8 (StickSpeed) or 6 (AcceleratorSpeed) changes the walk
-/// type. In StickSpeed the lever chooses among all special actions while 6 is held.
+/// The schemes StickSpeed and AcceleratorSpeed (report J.5.5), which map axes and buttons to
+/// requests to the robot. In both, buttons 1 to 4 kick, 7 gets up, and while 5 is held the stick
+/// moves the head and the robot stands. Button 8 (StickSpeed) or 6 (AcceleratorSpeed) changes the
+/// walk type. In StickSpeed the lever chooses among all special actions while 6 is held.
 class JoystickScheme {
  public:
   static constexpr int headButton = 5, getupButton = 7;
 
-  /// `kicks` are those of the buttons 1 to 4, `actions` all special actions.
+  /// `kicks` are the special actions of the buttons 1 to 4, `actions` all special actions.
   JoystickScheme(JoystickSchemeKind kind, std::vector<std::string> kicks,
                  std::vector<std::string> actions)
       : kind_{kind}, kicks_{std::move(kicks)}, actions_{std::move(actions)} {}
@@ -33,7 +33,8 @@ class JoystickScheme {
   void move(Joystick::Axis axis, double value);
   void press(int button, bool down);
 
-  /// What is asked of the robot otherwise than when this was called last. At first it stands.
+  /// The requests that have changed since the last call of `takeChanges`. Initially the robot
+  /// stands.
   struct Changes {
     std::optional<MotionRequest> motion;
     std::optional<HeadMode> headMode;
@@ -41,10 +42,11 @@ class JoystickScheme {
   };
   Changes takeChanges();
 
-  /// What is asked of the robot now.
+  /// The present motion request.
   const MotionRequest& motion() const { return motion_; }
   HeadMode headMode() const { return isDown(headButton) ? HeadMode::none : headMode_; }
-  /// Followed in the head control mode none, so only while the stick moves the head.
+  /// The head motion request, which the robot follows only while the stick moves the head, because
+  /// only then the head control mode is none.
   const HeadMotionRequest& head() const { return head_; }
   bool movesHead() const { return isDown(headButton); }
 
@@ -53,10 +55,10 @@ class JoystickScheme {
 
   bool isDown(int button) const { return down_[static_cast<std::size_t>(button)]; }
   int walkTypeButton() const { return kind_ == JoystickSchemeKind::stickSpeed ? 8 : 6; }
-  /// The element of a list of some length that the lever stands at: the first when it is pulled.
+  /// The index in a list of `count` elements that the lever selects; 0 when it is pulled.
   std::size_t atLever(std::size_t count) const;
   void update();
-  /// The special action that a button asks for; empty if none does.
+  /// The special action that a button requests; empty if none does.
   std::string action() const;
   Pose2D walk() const;
 
@@ -64,13 +66,13 @@ class JoystickScheme {
   std::vector<std::string> kicks_, actions_;
   EnumArray<Joystick::Axis, double> axes_;
   std::array<bool, Joystick::buttons + 1> down_{};
-  bool leverMoved_ = false;    ///< Ever: until then it asks for nothing.
+  bool leverMoved_ = false;    ///< Whether it ever moved: until then it requests nothing.
   bool actionChosen_ = false;  ///< The lever was moved while the button for actions is held.
   WalkType walkType_ = WalkType::normal;
   HeadMode headMode_ = HeadMode::searchAuto;
   HeadMotionRequest head_;
   MotionRequest motion_;
-  // As it was taken last.
+  // The requests as they were taken last.
   MotionRequest takenMotion_;
   HeadMode takenMode_ = headMode_;
   HeadMotionRequest takenHead_;

@@ -11,7 +11,7 @@
 
 namespace gt {
 
-/// Keeps what was printed.
+/// Keeps the printed lines.
 class TestScreen : public Screen {
  public:
   void print(std::string_view line) override { printed.emplace_back(line); }
@@ -56,7 +56,7 @@ class SessionTest : public ::testing::Test {
     EXPECT_EQ(done.error().field, field) << line;
     EXPECT_THAT(done.error().what, ::testing::HasSubstr(what)) << line;
   }
-  /// What a line prints.
+  /// The lines that a command prints.
   std::vector<std::string> answers(const std::string& line) {
     screen.printed.clear();
     expectFine(line);

@@ -7,25 +7,25 @@
 
 namespace gt {
 
-/// How a command's arguments are written: alternatives between |, what may be missing in [ ], what
-/// may be repeated in { }, groups in ( ). Words that begin with a capital letter are placeholders
-/// for something else; all others are typed as they are.
+/// The notation of a command's arguments: alternatives between |, optional parts in [ ], repeated
+/// parts in { }, groups in ( ). Words that begin with a capital letter are placeholders; all others
+/// are typed as they are.
 class Usage {
  public:
-  /// More words match nothing: matching takes a stack that grows with them.
+  /// Greatest number of words that can match, since matching takes a stack that grows with them.
   static constexpr std::size_t mostWords = 1000;
 
   explicit Usage(std::string_view text);
 
-  /// What may stand behind some words.
+  /// The possible next words behind some words.
   struct Next {
     std::vector<std::string> words;         ///< To be typed as they are.
-    std::vector<std::string> placeholders;  ///< Names of what may stand there.
-    /// Where a command begins that makes up the rest (placeholder COMMAND), as an index.
+    std::vector<std::string> placeholders;  ///< Names of the possible placeholders.
+    /// Index of the word where a command begins that makes up the rest (placeholder COMMAND).
     std::optional<std::size_t> command{};
   };
   Next next(std::span<const std::string> before) const;
-  /// Whether words are what may stand there, as far as placeholders determine it.
+  /// Whether words match the usage. Placeholders match as far as their names restrict the words.
   bool matches(std::span<const std::string> words) const;
 
  private:

@@ -23,18 +23,18 @@ struct ConsoleValue {
 ///     robots/red1/joints/headPan        an object of the scene tree (SceneTree), in conditions
 ///                                       with dots; field.flag.2 is the third of its numbers
 ///
-/// The truth is in the field's coordinates: mm, degrees, seconds. Without a robot's name the last
-/// two are of the first selected one.
+/// The truth is in the field's coordinates: mm, degrees, seconds. Without a robot's name,
+/// representations and parameters are those of the first selected robot.
 Result<ConsoleValue> valueAt(Console& console, const std::string& path);
 
-/// The path of an object of the scene tree, of which a person may write it with dots; nothing if it
-/// is none. What is written with slashes is meant to be one.
+/// The path of an object of the scene tree with slashes, if `path` denotes one; a person may also
+/// write it with dots. A path with slashes always denotes one. Empty if it denotes none.
 std::optional<std::string> objectPath(Session& session, std::string path);
 
-/// Whether a path asks for the body of a robot that has none: one on a log, or elsewhere.
+/// Whether a path denotes the body of a robot that has none: one on a log, or a remote one.
 bool isOfMissingBody(Session& session, const std::string& path);
 
-/// Where a robot or a ball is on the field, by its name; no value if there is none.
+/// The position (mm, on the field) of a robot or a ball by its name; empty if there is none.
 std::optional<Vector2d> placeOf(Console& console, std::string_view name);
 
 /// The paths that begin a value, for completion and `get ?`.

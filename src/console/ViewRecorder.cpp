@@ -20,7 +20,7 @@ struct ViewRecorder::Film {
   std::vector<double> numbers;
   std::vector<std::string> robots;  ///< Those that were selected when it began.
 
-  /// Shows these robots, whichever are selected now.
+  /// Paints the view with the film's robots, independent of the present selection.
   Result<Sheet> show(Console& console) const {
     const std::vector<std::string> selected = console.selection();
     console.select(robots);

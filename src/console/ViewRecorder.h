@@ -11,15 +11,15 @@ namespace gt {
 class Console;
 class FilmWriter;
 
-/// What a console records while time passes: values (command plot) and a film of a view.
+/// Records values (command plot) and a film of a view while time passes.
 class ViewRecorder {
  public:
   ViewRecorder();
   ~ViewRecorder();  ///< Closes the film.
 
-  /// Has a value recorded from now on, by its path; nothing changes if it is already.
+  /// Records a value from now on, by its path; does nothing if it is already recorded.
   Result<void> record(Console& console, const std::string& path);
-  /// Ends that, and forgets what was recorded; false if the value was not recorded.
+  /// Stops recording a value, and discards its records; false if it was not recorded.
   bool forget(const std::string& path) { return series_.erase(path) > 0; }
   /// The recorded values, by their paths.
   const ViewSubject::Series& series() const { return series_; }
@@ -32,7 +32,7 @@ class ViewRecorder {
 
   /// Called after each step.
   void step(Console& console);
-  /// Forgets the values, and ends the film.
+  /// Discards the values, and ends the film.
   void clear(Console& console);
 
  private:

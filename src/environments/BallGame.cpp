@@ -15,12 +15,12 @@
 namespace gt {
 namespace {
 
-/// The walk at a full action: what the walking engine cannot do is shortened by it.
+/// The requested walk at a full action; the walking engine limits it to what it can do.
 constexpr double mostAhead = 250, mostLeft = 200, mostTurn = 2;  // mm/s, rad/s
-/// From here on a kick is executed.
+/// Least action for which a kick is executed.
 constexpr float kickFrom = 0.5F;
 
-/// Tasks that see, whose results the oracle provides instead.
+/// Tasks of perception and modeling whose results the oracle provides instead.
 constexpr std::array seeing{"ImageProcessor", "SelfLocator", "BallLocator", "TeamBallLocator",
                             "PlayersLocator"};
 
@@ -28,7 +28,7 @@ bool uses(const std::vector<AgentSkill>& skills, AgentSkill::Target target) {
   return std::ranges::count(skills, target, &AgentSkill::target) > 0;
 }
 
-/// What a kick does with the ball, for people.
+/// Describes the effect of a kick on the ball.
 std::string described(const KickDescription& kick) {
   const auto number = [](double value) { return numberText(std::round(value)); };
   return "kicks a ball at " + number(kick.x) + ", " + number(kick.y) + " mm to " +

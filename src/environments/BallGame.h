@@ -8,9 +8,9 @@
 
 namespace gt {
 
-/// What a robot can be told to execute: a part of behavior/.
+/// A part of behavior/ that an agent can let its robot execute.
 struct AgentSkill {
-  /// What the numbers behind the choice of the skill tell it.
+  /// The meaning of the numbers that follow the choice of the skill.
   enum class Target { none, direction, point };
 
   std::string_view
@@ -20,7 +20,7 @@ struct AgentSkill {
   const char* what;
 };
 
-/// The skills that there are.
+/// All skills.
 namespace skill {
 inline constexpr AgentSkill stand{"stand", true, AgentSkill::Target::none, "stands still"};
 inline constexpr AgentSkill goToBall{"go_to_ball", true, AgentSkill::Target::direction,
@@ -42,10 +42,10 @@ inline constexpr AgentSkill playSoccer{"play_soccer", false, AgentSkill::Target:
 /// 8 ms. It observes the ball, itself and the other players, in the coordinates of its team.
 class BallGame : public Players {
  protected:
-  /// What agents can do.
+  /// The abilities of agents.
   struct Abilities {
     std::vector<AgentSkill> skills;
-    bool kicks = true;  ///< With `motion`: not only walk.
+    bool kicks = true;  ///< Whether agents that decide the `motion` can kick, too.
   };
   BallGame(EnvironmentOptions options, SceneDescription scene, const Cast& cast,
            Abilities abilities);
@@ -55,17 +55,17 @@ class BallGame : public Players {
   void restart() override;
   void observe(std::size_t agent, std::span<float> numbers) override;
 
-  /// So far ahead the ball lies when a robot has walked to it (mm).
+  /// Distance ahead of a robot at which the ball lies when the robot has walked to it (mm).
   static constexpr double ballDistance = 150;
 
   const BallState& ball() const { return world().ball(0); }
-  /// The middle of a goal's line on the field (mm): the one that a team plays to.
+  /// The middle of the line of the goal that a team attacks (mm, on the field).
   Vector2d goalOf(TeamColor team) const {
     return {team == TeamColor::red ? field().xGroundline : -field().xGroundline, 0};
   }
-  /// The team that has scored: all of the ball is behind the other's line; nothing if none has.
+  /// The team that has scored: the whole ball is behind the opponents' line. Empty if none has.
   std::optional<TeamColor> scorer() const;
-  /// Draws a place on the field, so far from its border at least (mm).
+  /// Draws a place on the field (mm), at least `margin` (mm) from its border.
   Vector2d anywhere(Random& random, double margin) const;
 
  private:
@@ -79,8 +79,8 @@ class BallGame : public Players {
   std::vector<std::size_t> others(std::size_t robot, bool teammates) const;
 
   Abilities abilities_;
-  std::vector<KickDescription> kicks_;  ///< Those of the table.
-  std::vector<JointAngles> requested_;  ///< Of each agent.
+  std::vector<KickDescription> kicks_;  ///< The kicks of the kick table.
+  std::vector<JointAngles> requested_;  ///< The last requested angles of each agent (rad).
 };
 
 }  // namespace gt

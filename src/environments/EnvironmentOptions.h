@@ -8,15 +8,15 @@
 
 namespace gt {
 
-/// What an agent observes: the true state, what its robot measures and believes, or what its
-/// robot's camera sees.
+/// The kinds of observations: the true state, the measurements and beliefs of the agent's robot, or
+/// the image of its camera.
 enum class ObservationKind { state, beliefs, image };
 
-/// What an agent decides: angles of joints, parameters of the walk, how the robot moves next, or
-/// which part of the behavior it executes.
+/// The kinds of actions: angles of joints, parameters of the walk, the next motion of the robot, or
+/// the part of the behavior that it executes.
 enum class ActionKind { joints, parameters, motion, skills };
 
-/// Whose robots have agents: the red team's (those of them that play), or all.
+/// The robots that have agents: those of the red team that play, or all.
 enum class AgentKind { red, all };
 
 /// A number that each reset draws anew between two bounds (`Randomization`).
@@ -31,7 +31,7 @@ struct RandomizedNumber {
   }
 };
 
-/// Which environment, and how. Empty texts and 0 are the environment's own defaults.
+/// An environment and its options. Empty texts and 0 denote the environment's own defaults.
 struct EnvironmentOptions {
   std::string environment;
   std::string observations;
@@ -46,7 +46,7 @@ struct EnvironmentOptions {
   static constexpr auto fields() {
     using O = EnvironmentOptions;
     return Fields{
-        field<&O::environment>("such as Walk"),
+        field<&O::environment>("name of the environment, such as Walk"),
         field<&O::observations>("state, beliefs or image"),
         field<&O::actions>("joints, parameters, motion or skills"),
         field<&O::agents>("red or all"),

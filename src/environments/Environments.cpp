@@ -9,7 +9,7 @@
 namespace gt {
 namespace {
 
-/// What `save` writes.
+/// The state that `save` writes.
 struct EnvironmentState {
   EnvironmentOptions options;
   std::uint64_t seed = 0;
@@ -19,15 +19,16 @@ struct EnvironmentState {
 
   static constexpr auto fields() {
     using S = EnvironmentState;
-    return Fields{field<&S::options>(), field<&S::seed>("given last"),
-                  field<&S::episodes>("begun since it was given", {1, 1e15}),
-                  field<&S::actions>("since the last reset"),
-                  field<&S::fingerprint>("of the world")};
+    return Fields{
+        field<&S::options>(), field<&S::seed>("last given seed"),
+        field<&S::episodes>("number of episodes begun since the seed was given", {1, 1e15}),
+        field<&S::actions>("actions since the last reset"),
+        field<&S::fingerprint>("fingerprint of the world")};
   }
 };
 
-/// The seed of an episode: the first has another one than the seed itself, so that worlds with
-/// neighboring seeds share no episode.
+/// The seed of an episode. That of the first episode differs from `seed` itself, so that worlds
+/// with neighboring seeds share no episode.
 std::uint64_t episodeSeed(std::uint64_t seed, std::int64_t episode) {
   return Random{seed}.fork(std::to_string(episode))();
 }

@@ -6,17 +6,17 @@
 #include "environments/Space.h"
 #include "representations/infrastructure/Joints.h"
 
-/// Joints as agents turn and observe them.
+/// Joints in the actions and observations of agents.
 namespace gt {
 
 /// All twelve joints of the legs.
 std::vector<Joint> legJoints();
-/// Those of the head, and of the legs.
+/// The joints of the head, then those of the legs.
 std::vector<Joint> headAndLegJoints();
 
-/// The angles of the legs by the walking engine's default, as it stands.
+/// The angles (rad) of a robot that stands by the walking engine's default parameters.
 JointAngles standingAngles();
-/// The angles that actions request of some joints; all others are as they stand.
+/// The angles (rad) that actions request of some joints; all others are those of standing.
 JointAngles anglesOf(std::span<const float> actions, std::span<const Joint> joints);
 
 /// Adds what `anglesOf` reads to a space of actions.

@@ -5,7 +5,7 @@
 
 namespace gt {
 
-/// Turns the joints as it is told, and keeps what the body measures.
+/// Turns the joints to `angles`, and keeps the measurements of the body.
 class Limbs::Motors : public RobotController {
  public:
   void cycle(const RobotInput& input, RobotOutput& output) override {

@@ -6,31 +6,31 @@
 
 namespace gt {
 
-/// An environment of one robot in the dynamic fidelity without a program: what the agent decides
-/// are the angles of its joints, in each tick.
+/// An environment of one robot in the dynamic fidelity without a program: the agent decides the
+/// angles of its joints in each tick.
 class Limbs : public Environment {
  protected:
-  /// With the joints that the agent turns; all others stay as they stand. `balls` says whether
-  /// there is a ball.
+  /// `joints` are those that the agent turns; all others keep their standing angles. `ball` states
+  /// whether there is a ball.
   Limbs(EnvironmentOptions options, SceneDescription scene, std::vector<Joint> joints, bool ball);
 
   void act(std::span<const float> actions) override;
   void observe(std::size_t agent, std::span<float> numbers) override;
   SceneCamera camera() const override;
 
-  /// Attaches the motors, has the joints as they stand, a little differently each time, and the
-  /// robot at a place; then some ticks pass.
+  /// Attaches the motors, sets the joints to their standing angles with small random differences,
+  /// and puts the robot at a pose (mm, rad, on the field) in a posture; then `ticks` pass.
   Result<void> put(Random& random, const Pose2D& pose, Posture posture, int ticks);
-  /// Requests angles and lets a tick pass.
+  /// Requests angles (rad) and lets a tick pass.
   void drive(const JointAngles& angles);
 
   const std::vector<Joint>& joints() const { return joints_; }
   const RobotBody& body() const { return world().robot(0); }
-  /// By how much the body's vertical axis points up: 1 upright, 0 on the side.
+  /// The vertical component of the body's vertical axis: 1 upright, 0 on the side.
   double upright() const { return std::cos(body().tilt) * std::cos(body().roll); }
-  /// The body's speed on the field: m/s.
+  /// The body's speed on the field (m/s).
   Vector3d speed() const;
-  /// The mean square of how far the requested angles differ from those before: rad^2.
+  /// The mean squared difference between the requested angles and the previous ones (rad^2).
   double effort() const;
 
  private:

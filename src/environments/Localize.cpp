@@ -16,7 +16,7 @@ constexpr std::array modes{HeadMode::searchForLandmarks, HeadMode::searchAuto,
                            HeadMode::lookStraightAhead, HeadMode::lookLeft, HeadMode::lookRight};
 constexpr std::array headJoints{Joint::headTilt, Joint::headPan, Joint::headRoll};
 
-/// Look around so that the robot knows where it is.
+/// Look around so that the robot can localize itself.
 class Localize : public Players {
  public:
   Localize(EnvironmentOptions options, SceneDescription scene)
@@ -41,7 +41,7 @@ class Localize : public Players {
     world().placeRobot(0, {pi * random.symmetric(), at});
   }
 
-  /// Perception and localization run whatever is observed: the task is about them.
+  /// Perception and localization run with all observations, since the task is about them.
   std::vector<const char*> disabledTasks(bool) const override {
     if (actions() == ActionKind::joints) return {"BehaviorControl", "HeadControl"};
     return {"BehaviorControl"};

@@ -11,14 +11,14 @@ namespace gt {
 
 constexpr std::size_t sceneStriker = 2;  ///< Red's striker, of the robots of the scene of matches.
 
-/// An environment of robots that run their own programs; those of the agents obey them instead of
-/// their behavior, those of other players play as they always do.
+/// An environment of robots that run their own programs. Robots with agents follow these instead of
+/// their behavior; other players play by their behavior.
 ///
-/// Who observes the state has robots that know the truth, as with an oracle (report 5.1): no camera
-/// takes images and nobody looks at them, which takes most of the time otherwise.
+/// With state observations robots get ground truth, as with an oracle (report 5.1); cameras and
+/// vision are off, which saves most of the time.
 class Players : public Environment {
  protected:
-  /// Which robots of the scene play: those of the agents first.
+  /// The robots of the scene that play: those of the agents first.
   struct Cast {
     std::vector<std::size_t> robots;
     std::size_t agents = 1;
@@ -28,21 +28,22 @@ class Players : public Environment {
 
   Result<void> load() override;
   Result<void> loadFrom(const Environment& same) override;
-  /// Lets the time pass that robots need to stand as they walk, after they were switched on: nearly
-  /// a second, in which they look around.
+  /// Lets nearly a second pass, which robots need after they were switched on until they stand as
+  /// for walking; meanwhile they look around.
   Result<void> begin(Random& random) override;
   void act(std::span<const float> actions) override;
   SceneCamera camera() const override;
 
-  /// Puts robots and ball in their places, before the robots' programs begin.
+  /// Places robots and ball, before the robots' programs begin.
   virtual void place(Random& random) = 0;
-  /// What a robot's program does not do itself, because its agent does, or it need not.
+  /// The tasks that a robot's program does not execute, because its agent decides their results, or
+  /// because they are not needed.
   virtual std::vector<const char*> disabledTasks(bool agent) const = 0;
-  /// Has a robot do what its agent decides, before a step.
+  /// Passes an agent's decision to its robot, before a step.
   virtual void request(std::size_t agent, std::span<const float> actions) = 0;
-  /// Forgets the episode before.
+  /// Discards the state of the previous episode.
   virtual void restart() {}
-  /// Does what begins when the robots are ready.
+  /// Called when the robots are ready.
   virtual void start() {}
 
   const FieldDimensions& field() const { return configuration_->get<FieldDimensions>(); }
@@ -50,8 +51,8 @@ class Players : public Environment {
   const SimulatedRobot& program(std::size_t robot) const { return *programs_[robot]; }
   const Pose2D& pose(std::size_t robot) const { return world().robot(robot).pose; }
   TeamColor team(std::size_t robot) const { return scene_.robots[robot].team; }
-  /// A pose of a field's coordinates in those of a robot's team, which plays in the direction of x;
-  /// and the other way round.
+  /// Converts a pose from the field's coordinates to those of a robot's team, which plays in the
+  /// direction of x, or back.
   Pose2D forTeam(std::size_t robot, const Pose2D& pose) const;
 
  private:

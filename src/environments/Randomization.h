@@ -18,7 +18,7 @@ class Randomization {
   static Result<Randomization> make(std::vector<RandomizedNumber> numbers,
                                     const SceneDescription& scene);
 
-  /// Draws all numbers; the same generator draws the same, each independently of the others.
+  /// Draws all numbers, each independently of the others; the same generator draws the same values.
   void apply(const Random& random, SceneDescription& scene) const;
 
  private:

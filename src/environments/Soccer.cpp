@@ -73,8 +73,8 @@ class Soccer : public BallGame {
     return progress;
   }
 
-  /// Moves a place back to the own side of the ball, if it is too close to it or to the robots that
-  /// stand already.
+  /// Moves a place (mm) backwards, if it is too close to the ball or to the robots that have been
+  /// placed already.
   void keepOff(const Vector2d& ball, std::size_t robot, Vector2d& place) const {
     constexpr double ballGap = 350, robotGap = 350, step = 50;  // mm
     const double back = team(robot) == TeamColor::red ? -step : step;

@@ -11,11 +11,11 @@ struct Component {
   std::string name;
   std::string unit;
   double low = -1, high = 1;
-  std::string what;  ///< A sentence, where the name does not tell all.
+  std::string what;  ///< A sentence, where the name is not sufficient.
 };
 
-/// What observations or actions of one agent are: numbers with a name each (float32), or a camera
-/// image (uint8, YCbCr).
+/// The space of one agent's observations or actions: numbers with a name each (float32), or a
+/// camera image (uint8, YCbCr).
 struct Space {
   std::vector<Component> components{};  ///< Empty for an image.
   std::size_t height = 0, width = 0;    ///< Of an image.
@@ -28,7 +28,7 @@ struct Space {
   }
 };
 
-/// One of the numbers that a reward is the sum of.
+/// One of the terms whose sum is a reward.
 struct RewardTerm {
   std::string name;
   std::string what;

@@ -16,7 +16,8 @@ std::string namesOf(const std::vector<E>& list) {
   return names;
 }
 
-/// Sets an option that is empty to the first that an environment has; fails if it has no such one.
+/// Sets an empty option to the first value that an environment offers. Fails if the environment
+/// does not offer the option's value.
 template <typename E>
 Result<void> choose(std::string& option, std::string_view name, const std::vector<E>& offered) {
   if (option.empty()) option = enumName(offered.front());
@@ -29,8 +30,8 @@ Result<void> choose(std::string& option, std::string_view name, const std::vecto
                        suggestion(option, known)};
 }
 
-/// The same for the fidelity. Who decides angles of joints needs the dynamic one: in the other,
-/// legs move nobody.
+/// Chooses the fidelity in the same manner. Agents that decide angles of joints need the dynamic
+/// one: in the kinematic one, legs do not move the robot.
 Result<void> chooseFidelity(EnvironmentOptions& options, std::vector<Fidelity> offered) {
   if (options.actions == enumName(ActionKind::joints) &&
       std::ranges::count(offered, Fidelity::dynamic))

@@ -3,7 +3,7 @@
 
 namespace gt {
 
-// The environments, one in each file.
+// The descriptions of the environments, each in a file of its own.
 EnvironmentDescription walkDescription();
 EnvironmentDescription getUpDescription();
 EnvironmentDescription kickDescription();

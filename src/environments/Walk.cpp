@@ -85,7 +85,7 @@ class Walk : public Limbs {
   }
 
  private:
-  /// A tick of the walking engine, at full speed ahead.
+  /// Executes a tick of the walking engine, at full speed ahead.
   void walk() {
     constexpr double fastest = 1000;  // mm/s: more than any parameters allow
     MotionRequest request;

@@ -5,21 +5,21 @@
 
 namespace gt {
 
-/// What the ball's time is spent on. It lies or rolls slowly unless said otherwise; near is within
-/// `atBall`.
+/// Classes of moments of a match by what happens to the ball. Unless stated otherwise, the ball
+/// lies or rolls slowly. "Near" means within `atBall`.
 enum class BallUse {
   kicked,    ///< A robot near it performs a kick.
-  rolls,     ///< It rolls, and nobody is near.
+  rolls,     ///< It rolls, and no robot is near.
   pushed,    ///< It rolls among robots.
   duel,      ///< Field players of both teams are near.
   goalie,    ///< Only goalies are near.
   searched,  ///< Only robots are near that have not seen it for a second.
   linedUp,   ///< A robot is near that sees it.
-  comes,     ///< Nobody is near, and somebody comes.
-  left       ///< Nobody is near, and nobody comes.
+  comes,     ///< No robot is near, and one comes.
+  left       ///< No robot is near, and none comes.
 };
 
-/// Where the ball's time goes, who has it, and where it is.
+/// Counts what the ball's time is spent on, which team has the ball, and in which half it is.
 class BallLedger {
  public:
   explicit BallLedger(const FieldDimensions& field) : field_{field} {}
@@ -27,7 +27,7 @@ class BallLedger {
   void see(const PlayMoment& moment);
   void report(PlayFigures& figures) const;
 
-  /// What a moment is spent on.
+  /// The class of a moment.
   static BallUse useOf(const PlayMoment& moment);
 
  private:

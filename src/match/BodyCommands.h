@@ -6,22 +6,23 @@
 
 namespace gt {
 
-/// Hands what a robot provides to its body, for robots that answer in the tick in which they sense.
+/// Passes the commands that a robot provides to its body, for robots that answer in the tick in
+/// which they sense.
 class BodyCommands {
  public:
   template <typename T>
   using Provided = const T*;
 
-  /// Where the values lie, as they are at the end of each cycle; null what the robot does not
-  /// provide.
+  /// Pointers to the robot's values at the end of each cycle; null for commands that the robot does
+  /// not provide.
   CommandSlots<Provided> places{};
-  CameraSettings camera;  ///< As the camera is set.
+  CameraSettings camera;  ///< The settings that the camera has.
 
   template <typename T>
   const T* place() const {
     return std::get<const T*>(places);
   }
-  /// To be called once after each cycle, with what the robot does then.
+  /// Fills the output with the commands of a cycle. To be called once after each cycle.
   void give(RobotOutput& output, const Belief& belief, bool withImage);
 
  private:
@@ -33,7 +34,7 @@ class BodyCommands {
   std::int64_t images_ = 0;
 };
 
-/// Whether a robot's body and its team can take a command: programs elsewhere may send anything.
+/// Whether a command is valid for a robot's body or its team: other programs may send anything.
 template <typename T>
 bool isSane(const T&) {
   return true;

@@ -5,9 +5,10 @@
 namespace gt {
 namespace {
 
-/// A game controller sends twice a second; after so long robots of the league take it for gone.
+/// Time after which a silent game controller is taken for gone, as by robots of the league. A game
+/// controller sends twice a second.
 constexpr std::int64_t silence = 2000;  // ms
-/// Senders and reasons that are reported; anybody may send.
+/// Greatest number of senders and reasons that are reported, since anybody may send.
 constexpr std::size_t mostReported = 32;
 
 /// Whether a message was sent before another one, by their numbers modulo 256.

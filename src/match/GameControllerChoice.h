@@ -11,9 +11,9 @@
 
 namespace gt {
 
-/// Decides which of the messages that come in are followed. The first game controller leads until
-/// it has been silent for some time; messages that others have overtaken on their way are passed
-/// over. Who is not followed is reported, once for each sender and reason.
+/// Decides which of the received messages are followed. The first game controller leads until it
+/// has been silent for some time. Messages that were overtaken by later ones are ignored. Senders
+/// that are not followed are reported, once for each sender and reason.
 class GameControllerChoice {
  public:
   /// The message, if it is to be followed.
@@ -25,7 +25,7 @@ class GameControllerChoice {
   void refuse(const std::string& sender, const std::string& reason, const std::string& text);
 
   std::string leader_;      ///< Empty until there is one.
-  std::int64_t heard_ = 0;  ///< When it was, in ms.
+  std::int64_t heard_ = 0;  ///< When the leader's last message was received (ms).
   std::optional<int> packet_;
   std::set<std::string> reported_;
   std::vector<std::string> news_;

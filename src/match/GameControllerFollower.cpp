@@ -7,8 +7,8 @@
 namespace gt {
 namespace {
 
-/// A message states the time left in whole seconds, and needs some time itself: a clock that is
-/// further off than that was set.
+/// Greatest difference between the clocks of game controller and referee that is not a change of
+/// the time left: a message states whole seconds, and takes some time itself.
 constexpr std::int64_t clockTolerance = 1500;  // ms
 
 }  // namespace

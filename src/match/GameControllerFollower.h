@@ -12,7 +12,7 @@
 
 namespace gt {
 
-/// Has a game controller lead a match: passes its messages on to the referee, and answers them for
+/// Lets a game controller lead a match: passes its messages to the referee, and answers them for
 /// the robots that are on.
 class GameControllerFollower {
  public:
@@ -27,9 +27,9 @@ class GameControllerFollower {
 
   /// Called with each message that changed the game.
   using Note = std::function<void(std::span<const std::byte> message)>;
-  /// Carries out and answers what has arrived since the last call. Does not block.
+  /// Applies and answers the messages that have arrived since the last call. Does not block.
   void hear(const Note& note);
-  /// Who leads and who is not followed: lines for the user that were not taken yet.
+  /// Lines for the user about who leads and who is not followed, that were not taken yet.
   std::vector<std::string> takeNews() { return choice_.takeNews(); }
   /// Applies a message, whoever sent it. Returns whether it contained anything new, or an error if
   /// it is no message of a game controller.

@@ -13,7 +13,7 @@
 namespace gt {
 namespace {
 
-/// Bytes; longer ones lose their end, and are no messages then.
+/// Size of the receive buffer (bytes). Longer packets are truncated and then are no valid messages.
 constexpr std::size_t longestDatagram = 2048;
 
 sockaddr* general(sockaddr_in& address) {

@@ -14,11 +14,11 @@
 
 namespace gt {
 
-/// What came in by UDP.
+/// A packet received by UDP.
 struct Datagram {
   std::vector<std::byte> bytes;
   std::string sender;     ///< ADDRESS:PORT
-  std::int64_t time = 0;  ///< When it was received: ms of a clock that never goes back.
+  std::int64_t time = 0;  ///< When it was received: ms of a monotonic clock.
 };
 
 /// Receives a game controller's messages by UDP, and answers them.
@@ -33,7 +33,7 @@ class GameControllerLink {
   int port() const { return port_; }
   /// The next message, from any sender. Empty if none is pending. Does not block.
   std::optional<Datagram> receive();
-  /// Sends to a port of the machine that the last message came from.
+  /// Sends an answer to a port of the machine that sent the last message.
   void answer(std::span<const std::byte> bytes, int port) const;
 
  private:

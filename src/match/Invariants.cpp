@@ -15,18 +15,18 @@
 namespace gt {
 namespace {
 
-/// What has held again for longer than this is another break (ms).
+/// If an invariant has held for longer than this in between, the next violation is a new one (ms).
 constexpr std::int64_t pause = 1000;
-/// By so much bodies that touch give (mm).
+/// Depth by which bodies that touch may overlap (mm).
 constexpr double deepestTouch = 20;
-/// A robot that believes to be farther from where it is, is lost (mm).
+/// A robot whose believed position is farther from the true one is lost (mm).
 constexpr double farthestOff = 1000;
-/// So old is a message at most when it is sent: its maker's cycle (ms).
+/// Greatest age of a message when it is sent: the cycle of the robot that made it (ms).
 constexpr double longestCycle = 100;
-/// A process that has not run for longer stands (ms).
+/// A process that has not run for longer than this is not running (ms).
 constexpr std::int64_t longestIdle = 500;
 
-/// How far the footprints of two robots overlap (mm); below 0, how far they are apart.
+/// Depth by which the footprints of two robots overlap (mm); if negative, they are that far apart.
 double overlapOf(const Pose2D& a, const Pose2D& b) {
   double most = -1e9;
   for (const double here : RobotFootprint::middles)
@@ -40,8 +40,8 @@ std::string millimeters(double value) {
   return std::to_string(std::llround(value)) + " mm";
 }
 
-/// Half of the rectangle that the outer walls surround, from the middle (mm): of all that stands
-/// still, nothing stands farther outside.
+/// Half of the sides of the rectangle that the outer walls surround (mm). The outer walls are the
+/// immobile boxes that are farthest from the middle.
 Vector2d outerWalls(const mjModel& model, const mjData& data) {
   Vector2d walls = Vector2d::Zero();
   for (int geom = 0; geom < model.ngeom; ++geom)
@@ -75,7 +75,7 @@ void Invariants::note(std::string_view invariant, const std::string& who, double
   const Time now = simulation_.time();
   const auto open = std::find_if(breaks_.rbegin(), breaks_.rend(), [&](const Break& b) {
     return b.invariant == index && b.what.who == who && now - b.what.until <= pause &&
-           (amount > 0 || b.what.text == text);  // what has no amount is told each by itself
+           (amount > 0 || b.what.text == text);  // violations without amount are noted separately
   });
   if (open == breaks_.rend()) {
     breaks_.push_back(
@@ -161,7 +161,7 @@ void Invariants::checkFinite() {
   }
 }
 
-/// Not of a robot that was just put, lies, or is penalized: it cannot know.
+/// Skips robots that lie, are off, or are penalized, since these cannot know where they are.
 void Invariants::checkBelieved() {
   if (simulation_.referee().state() != GameState::playing) return;
   for (std::size_t i = 0; i < robots_.size(); ++i) {
@@ -193,7 +193,7 @@ void Invariants::checkRadio() {
     }
 }
 
-/// Of the robots that run in this program.
+/// Checks the robots whose processes run in this program.
 void Invariants::checkPrograms() {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const auto* robot = dynamic_cast<const SimulatedRobot*>(robots_[i]);

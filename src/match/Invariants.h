@@ -12,13 +12,13 @@
 
 namespace gt {
 
-/// What always holds in a match: what does not is a fault of the simulator, or of a robot's program,
-/// and no matter of how well it plays.
+/// A condition that always holds in a match. If it does not, the simulator or a robot's program is
+/// faulty; this is independent of how well the robot plays.
 struct Invariant {
   std::string_view name;
   Severity severity = Severity::error;
-  std::int64_t patience = 0;  ///< ms, for which it may not hold.
-  std::string_view holds;     ///< In one sentence.
+  std::int64_t patience = 0;  ///< ms; violations that last less are not reported.
+  std::string_view holds;     ///< The condition, in one sentence.
 };
 inline constexpr std::array invariants{
     Invariant{"apart", Severity::error, 0, "no robot is inside another one"},
@@ -33,7 +33,7 @@ inline constexpr std::array invariants{
     Invariant{"solved", Severity::warning, 0,
               "somebody provides what a robot commands and believes"}};
 
-/// Checks a match after each tick, and notes when what did not hold.
+/// Checks a match after each tick, and notes when an invariant did not hold.
 class Invariants {
  public:
   /// The robots are those of the simulation, in its order; both must outlive it.
@@ -41,22 +41,23 @@ class Invariants {
 
   /// To be called after each tick.
   void update();
-  /// In the order in which they began; those that were over before their invariant's patience was
-  /// are left out.
+  /// The violations in the order in which they began, without those that lasted less than their
+  /// invariant's patience.
   std::vector<BrokenInvariant> broken() const;
 
  private:
-  /// A time during which one did not hold.
+  /// A time during which an invariant did not hold.
   struct Break {
     std::size_t invariant = 0;
     BrokenInvariant what;
     double worst = 0;
   };
 
-  /// It does not hold now, by so much, which `text` tells.
+  /// Notes that an invariant does not hold now. `amount` measures by how much, 0 if that cannot be
+  /// measured; `text` describes it.
   void note(std::string_view invariant, const std::string& who, double amount, std::string text);
   void checkApart();
-  /// Whose a geom of the world's model is; empty if it is no robot's.
+  /// The robot that a geom of the world's model belongs to; empty if there is none.
   std::optional<std::size_t> robotOf(int geom) const;
   void checkCarpet();
   void checkFinite();

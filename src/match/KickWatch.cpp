@@ -63,7 +63,7 @@ void KickWatch::followKick(const PlayMoment& moment) {
 
 void KickWatch::begin(const PlayMoment& moment, std::size_t robot) {
   const TeamColor team = moment.robots[robot].team;
-  // Whoever kicks next is the next to touch the ball.
+  // The robot that kicks next counts as the next to touch the ball.
   if (kick_ && kick_->free)
     end(moment.ball.position, kick_->team == team, kick_->team == team && kick_->robot != robot);
   TeamRecord& record = of(team);

@@ -6,7 +6,7 @@
 
 namespace gt {
 
-/// What becomes of kicks, and how soon they come.
+/// Measures the results of kicks, and how soon robots kick.
 class KickWatch {
  public:
   /// `deceleration` of the rolling ball in mm/s^2.
@@ -28,13 +28,13 @@ class KickWatch {
     std::size_t robot;
     TeamColor team;
     Time began;
-    Vector2d from = Vector2d::Zero();  ///< where the ball lay
-    std::optional<Vector2d> planned;   ///< the way that the robot wants it to go
+    Vector2d from = Vector2d::Zero();  ///< where the ball lay (mm, on the field)
+    std::optional<Vector2d> planned;   ///< motion of the ball that the robot wants (mm)
     Time lastTouch = never();          ///< by the kicker
     bool free = false;                 ///< The ball has left the kicker.
-    bool onGoal = false;               ///< as the kicker's last touch had it roll
+    bool onGoal = false;               ///< whether it rolls into the goal after that touch
   };
-  /// The time since another robot has touched the ball, in s.
+  /// The time (s) since another robot has touched the ball, by what happened in it.
   struct Approach {
     bool known = false;                      ///< Another robot has touched it.
     double rolls = 0, comes = 0, lines = 0;  ///< The robot is not at the ball, or it is.
@@ -46,8 +46,8 @@ class KickWatch {
   struct TeamRecord {
     int kicks = 0;
     PlayShare hits, onGoal, back, ownTouch, passes, saved;
-    std::vector<double> ways;                   ///< mm
-    std::vector<double> ofPlanned, offPlanned;  ///< % of the way planned, and degrees
+    std::vector<double> ways;                   ///< Distances that balls moved, mm
+    std::vector<double> ofPlanned, offPlanned;  ///< % of the planned distance; degrees off it
     std::vector<double> afterTouch, rolls, comes, lines;
   };
 
@@ -57,7 +57,7 @@ class KickWatch {
   /// The ball leaves the kicker, which has hit it.
   void leave();
   void end(const Vector2d& ball, bool own, bool pass);
-  /// The way of the ball that the kick has moved.
+  /// Compares the motion of the ball (mm, on the field) with the one that was planned.
   void comparePlan(const Vector2d& way);
   TeamRecord& of(TeamColor team) { return teams_[indexOf(team)]; }
 

@@ -22,7 +22,7 @@ Result<std::unique_ptr<LockstepRobot>> LockstepRobot::start(std::string name,
                                          std::move(*program));
 }
 
-/// With the robot's name, and how its program ended if it did.
+/// The error with the robot's name.
 Error LockstepRobot::named(Error error) {
   error.field = name_ + (error.field.empty() ? "" : ": " + error.field);
   return error;
@@ -86,7 +86,7 @@ Result<void> LockstepRobot::send(const RobotInput& input) {
   return {};
 }
 
-/// The slot for what lies at a place.
+/// The slot for values of type T.
 template <typename Slots, typename T>
 auto& LockstepRobot::slot(Slots& slots, const T*) {
   return std::get<Received<T>>(slots);

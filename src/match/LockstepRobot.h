@@ -12,12 +12,12 @@
 namespace gt {
 
 /// A robot whose program, of this or another version of the sources, runs in lockstep with the
-/// simulation: each tick waits for its answer. So the match follows from scene, seed and programs,
-/// however fast they are. After a failure it stands as it stood.
+/// simulation: each tick waits for its answer. So the match is determined by scene, seed and
+/// programs, independent of their speed. After a failure the robot stays as it stood.
 class LockstepRobot : public MatchRobot {
  public:
-  /// Talks over a socket with a program, which is a child of this one if `program` is given. If it
-  /// does not answer for so long, it has failed.
+  /// Communicates over a socket with a program, which is a child of this one if `program` is given.
+  /// If the program does not answer within `patience`, it has failed.
   LockstepRobot(std::string name, FileDescriptor socket, std::chrono::milliseconds patience,
                 std::optional<ConnectedProgram> program = {});
   /// Starts the program of a robot: its path, then its arguments.
@@ -27,18 +27,18 @@ class LockstepRobot : public MatchRobot {
   /// Waits until the program can play. To be called once, before the first cycle.
   Result<void> greet();
 
-  /// Sends what is measured; the program works while the cycles of other robots run.
+  /// Sends the measurements; the program works while the cycles of other robots run.
   void cycle(const RobotInput& input, RobotOutput& output) override;
-  /// Waits for the answer.
+  /// Waits for the program's answer.
   void finish(RobotOutput& output) override;
   Image* nextImage() override { return &image_; }
   const Image* lastImage() const override { return &image_; }
 
   const std::string& name() const { return name_; }
-  /// What the robot told at the beginning.
+  /// The greeting that the robot sent at the beginning.
   const LockstepGreeting& greeting() const { return greeting_; }
   const CameraSettings& camera() const { return commands_.camera; }
-  /// Why it does not play any more.
+  /// The error because of which it no longer plays; empty while it plays.
   const std::optional<Error>& failure() const { return failure_; }
 
  private:
@@ -46,7 +46,7 @@ class LockstepRobot : public MatchRobot {
   struct Received {
     T value;
 
-    /// Reads it if the message holds one, and sets the place where it lies from then on.
+    /// Reads the value if the message holds one, and lets `place` point to it from then on.
     Result<void> take(const Message& message, const T*& place);
   };
 

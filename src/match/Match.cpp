@@ -133,8 +133,8 @@ Result<void> Match::addRobots() {
   return greetLockstepRobots();
 }
 
-/// Whether the scene has the robots that the options name. What runs in another program gets what a
-/// body senses and nothing else.
+/// Checks that the scene has the robots that the options name, and that no robot in another program
+/// gets the truth: such a robot gets only what its body senses.
 Result<void> Match::checkNames() const {
   const std::vector<SceneRobot>& robots = simulation_->scene().robots;
   const auto wrong = [&](const std::string& name, const char* what) {
@@ -181,7 +181,7 @@ Result<void> Match::addRobot(std::size_t index, const Layout& layout) {
   return {};
 }
 
-/// As the next one of the scene.
+/// Attaches a robot as the next one of the scene.
 void Match::attach(std::unique_ptr<MatchRobot> robot) {
   allRobots_.push_back(robot.get());
   simulation_->attach(allRobots_.size() - 1, std::move(robot));
@@ -191,7 +191,7 @@ SetupFiles Match::setupOf(const SceneRobot& robot) const {
   return {teamOf(robot).paths, layoutFile(robot), robot.player(), seedOf(robot), robot.address};
 }
 
-/// Replaces the logs of the match before: not until nothing of this one can fail any more.
+/// Replaces the logs of the previous match. To be called when nothing else of this match can fail.
 Result<void> Match::beginLogs() {
   const fs::path folder{options_.logs};
   const SceneDescription& scene = simulation_->scene();
@@ -261,7 +261,7 @@ Result<void> Match::addLockstepRobot(std::size_t index) {
   return {};
 }
 
-/// After all have been started, since they read their files at the same time.
+/// To be called after all programs have been started, since they read their files at the same time.
 Result<void> Match::greetLockstepRobots() {
   Result<void> all;
   forEachRobot<LockstepRobot>([&](std::size_t index, LockstepRobot& robot) {

@@ -24,31 +24,33 @@
 
 namespace gt {
 
-/// Which match is played, and how it is run.
+/// The setup of a match, and the options for running it.
 struct MatchOptions : MatchSetup {
   MatchOptions() : MatchOptions{DataRoot{}} {}
   explicit MatchOptions(DataRoot from) : MatchSetup{in(from)}, root{std::move(from)} {}
 
   DataRoot root;            ///< Where the files of the setup lie by default.
-  std::size_t threads = 1;  ///< Do not change what happens.
+  std::size_t threads = 1;  ///< Number of threads, which does not influence the results.
   std::string
       logs{};  ///< Folder for the robots' logs, which must exist; none are written if empty.
   bool inputs = false;  ///< Whether the logs hold all images without loss, for other vision.
-  bool check = false;   ///< Whether what always holds is checked after each tick (Invariants.h).
+  bool check = false;   ///< Whether the invariants are checked after each tick (Invariants.h).
   int images = 0;       ///< How many camera images to keep for the report page.
-  /// How long a team's program may take for an answer; one that takes longer ends the match.
+  /// Longest time that a team's program may take for an answer; one that takes longer ends the
+  /// match.
   std::chrono::milliseconds patience = std::chrono::seconds{60};
   /// Robots whose processes are programs of their own and connect to the simulation: for each name
-  /// where it listens for them, such as tcp://10.0.1.5:5003; on this machine, if that is empty.
+  /// the endpoint at which the simulation listens for them, such as tcp://10.0.1.5:5003; on this
+  /// machine, if that is empty.
   std::map<std::string, std::string> remote{};
-  std::string sockets{};       ///< Folder in which they find it; the user's default if empty.
+  std::string sockets{};       ///< Folder of the sockets for them; the user's default if empty.
   std::optional<Keys> keys{};  ///< For robots on other machines.
-  /// Where a game controller may lead the game by UDP, if it may: PORT on the loopback device, or
-  /// ADDRESS:PORT; port 0 takes a free one. Its own is 3838.
+  /// Where the match listens for a game controller by UDP: PORT on the loopback device, or
+  /// ADDRESS:PORT; port 0 takes a free one. The league's port is 3838. Empty: it does not listen.
   std::string gameController{};
 };
 
-/// That the program of a robot failed. The error's field names the robot.
+/// A failure of a robot's program. The error's field names the robot.
 struct RobotFailure {
   Time time;
   std::size_t robot = 0;  ///< Index in the simulation.
@@ -56,14 +58,14 @@ struct RobotFailure {
 };
 
 /// A simulated match of robots that run their own programs: the simulator, the robots in it, their
-/// logs, and what it leaves: a summary, times, images.
+/// logs, and the results: a summary, times, images.
 class Match {
  public:
   /// Loads scene, configuration, layouts, motions and behavior; the first error names file, line
   /// and field.
   static Result<std::unique_ptr<Match>> make(const MatchOptions& options);
 
-  /// One tick of 8 ms.
+  /// Simulates one tick of 8 ms.
   void step();
   /// Whether the referee has ended the game; in a scene without one, whether its time is over. Also
   /// if a team has failed.
@@ -75,33 +77,33 @@ class Match {
   Time time() const { return simulation_->time(); }
   /// An error if a team's program died or did not answer, with which the match ends.
   Result<void> teamFailure() const;
-  /// The robots whose programs have failed, in the order of time: those with which the match has
-  /// ended, and those of which a module has thrown something, which stand while the others play.
+  /// The failures of robots' programs, in the order of time: those that ended the match, and those
+  /// by an exception of a module, after which the robot stands while the others play.
   const std::vector<RobotFailure>& failures() const { return failures_; }
-  /// The first of them as an error: nothing follows from such a match.
+  /// The first failure as an error: the results of such a match are meaningless.
   Result<void> soundness() const;
 
-  /// Repeats what was done by the console: a command line.
+  /// Executes a recorded console command.
   using Perform = std::function<Result<void>(Match& match, const std::string& line)>;
   /// Writes the state to a file. Fails if the match cannot be repeated (`markIrreproducible`).
   Result<void> save(const std::string& path) const;
-  /// A match in the state of a file, which continues with the same bits as the one that was saved.
-  /// `options` provides threads, logs, images; the rest comes from the file. Fails if another match
-  /// results, because files or programs have changed since.
+  /// Loads a match in the state of a file, which continues with the same bits as the one that was
+  /// saved. `options` provides threads, logs, images; the rest comes from the file. Fails if the
+  /// result is another match, because files or programs have changed since.
   static Result<std::unique_ptr<Match>> load(const std::string& path, MatchOptions options,
                                              const Perform& perform);
-  /// Applies a game controller's message. Fails if it is none.
+  /// Applies a game controller's message. Fails if the bytes are no such message.
   Result<void> control(std::span<const std::byte> message);
-  /// The UDP port on which a game controller is heard, if one may lead.
+  /// The UDP port on which the match listens for a game controller; empty if it does not.
   std::optional<int> gameControllerPort() const { return gameController_->port(); }
-  /// Which game controller leads and which ones are not followed: lines for the user that were not
-  /// taken yet.
+  /// Lines for the user about which game controller leads and which ones are not followed, that
+  /// were not taken yet.
   std::vector<std::string> takeGameControllerNews() { return gameController_->takeNews(); }
-  /// Remembers what was just done to the match from outside, for `save`.
+  /// Records an intervention that was just made, for `save`.
   void note(InterventionKind kind, std::string line);
   const std::vector<Intervention>& history() const { return history_; }
-  /// Plays a new match up to a time and does what was done to another one up to then, each thing
-  /// at its time. Fails if the match is over before, and if `interrupted` returns true.
+  /// Plays a new match up to a time and repeats the interventions in another one up to then, each
+  /// at its time. Fails if the match is over before, or if `interrupted` returns true.
   Result<void> repeat(
       std::span<const Intervention> history, Time until, const Perform& perform,
       const std::function<bool()>& interrupted = [] { return false; });
@@ -110,8 +112,8 @@ class Match {
 
   /// Closes the logs. Returns the first error that happened while one was written.
   Result<void> close();
-  /// The first error of each log that cannot be written any more, once. The match goes on without
-  /// these logs.
+  /// Returns once the first error of each log that can no longer be written. The match continues
+  /// without these logs.
   std::vector<Error> takeLogErrors();
 
   const MatchOptions& options() const { return options_; }
@@ -120,9 +122,9 @@ class Match {
   const Challenge* challenge() const { return challenge_; }
   /// The robots whose processes run in this program.
   const std::vector<SimulatedRobot*>& robots() const { return robots_; }
-  /// The index in the simulation of each of them.
+  /// The index in the simulation of an element of `robots`.
   std::size_t robotIndex(std::size_t robot) const;
-  /// The project's own, which also holds for the field.
+  /// The project's own configuration, which also applies to the field.
   const Configuration& configuration() const { return *teams_.configuration(); }
   const std::shared_ptr<const Configuration>& sharedConfiguration() const {
     return teams_.configuration();
@@ -133,11 +135,11 @@ class Match {
     for (std::size_t i = 0; i < allRobots_.size(); ++i)
       if (auto* robot = dynamic_cast<Kind*>(allRobots_[i])) visit(i, *robot);
   }
-  /// Those whose processes run elsewhere.
+  /// The robots whose processes are programs of their own.
   std::vector<const RemoteRobot*> remoteRobots() const;
   const MatchStatistics& statistics() const { return *statistics_; }
   MatchSummary summary() const;
-  /// The time that each task took so far, over all robots, and the parts of the simulator.
+  /// The computing time of each task so far, over all robots, and of the simulator's parts.
   std::vector<PartTime> times() const;
   /// The robots' images that were kept.
   const std::vector<ReportImage>& images() const { return images_->all(); }
@@ -145,7 +147,7 @@ class Match {
  private:
   explicit Match(const MatchOptions& options) : options_{options} {}
   const MatchTeam& teamOf(const SceneRobot& robot) const { return teams_.of(robot.team); }
-  /// Has the world play balls as the motions of each team do.
+  /// Sets the kicks of each robot in the world from its team's motions.
   Result<void> setKicks();
   std::vector<std::vector<std::string>> kicks() const;  ///< Of each robot.
   Result<void> addRobots();
@@ -158,7 +160,7 @@ class Match {
   Result<void> addLockstepRobot(std::size_t index);
   Result<void> greetLockstepRobots();
   Result<void> checkNames() const;
-  /// Whether a robot is given the truth.
+  /// Whether a robot gets the truth.
   bool getsTruth(const SceneRobot& robot) const;
   bool isRemote(const std::string& robot) const { return options_.remote.contains(robot); }
   std::string layoutFile(const SceneRobot& robot) const;
@@ -175,12 +177,12 @@ class Match {
   const Challenge* challenge_ = nullptr;  ///< Owned by the simulation.
   // All robots are owned by the simulation, and here in the order of its active ones.
   std::vector<MatchRobot*> allRobots_;
-  std::vector<SimulatedRobot*> robots_;  ///< Of them, those of this program.
+  std::vector<SimulatedRobot*> robots_;  ///< Those whose processes run in this program.
   std::unique_ptr<GameControllerFollower> gameController_;
   std::unique_ptr<MatchStatistics> statistics_;
   std::unique_ptr<Invariants> invariants_;  ///< Null if they are not checked.
   std::unique_ptr<ReportImages> images_;
-  std::optional<McapWriter> ceilingLog_;  ///< Of what a camera at the ceiling saw.
+  std::optional<McapWriter> ceilingLog_;  ///< Log of the ceiling camera's percepts.
 };
 
 }  // namespace gt

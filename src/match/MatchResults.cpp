@@ -1,4 +1,4 @@
-// What a match leaves: its summary, with the robots whose programs failed, and its times.
+// The results of a match: its summary, with the robots whose programs failed, and its times.
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
@@ -17,7 +17,7 @@ MatchEvent toMatchEvent(const GameEvent& event) {
           event.scoreRed,  event.scoreBlue};
 }
 
-/// How a robot outside did not keep up: empty if it did.
+/// Describes how a remote robot did not keep up; empty if it did.
 std::string shortfall(const RemoteRobot& robot) {
   const RemoteStatistics& s = robot.statistics();
   if (s.frames == 0) return "no program has come";
@@ -47,7 +47,7 @@ void Match::noteFailures() {
   });
 }
 
-/// As events, each at its time; those of robots outside at the end.
+/// Adds failures as events, each at its time; those of remote robots at the end.
 void Match::addFailures(MatchSummary& summary) const {
   std::vector<RobotFailure> failures = failures_;
   forEachRobot<RemoteRobot>([&](std::size_t index, const RemoteRobot& robot) {

@@ -5,20 +5,20 @@
 
 namespace gt {
 
-/// A robot of a match, wherever its processes run, with what it believes and does.
+/// A robot of a match, wherever its processes run, with its beliefs and actions.
 class MatchRobot : public RobotController {
  public:
   const Belief& belief() const { return belief_; }
-  /// What it decided to send its teammates.
+  /// The behavior's message to its teammates; null if there is none.
   virtual const BehaviorTeamMessage* decision() const { return nullptr; }
-  /// Whether its programs run, as far as is known: a robot that is off answers nobody.
+  /// Whether its programs run, as far as is known. A robot that is off does not answer.
   virtual bool isOn() const { return true; }
 
  protected:
   Belief belief_;
 };
 
-/// A robot sends its teammates what it knows with every third image, some eight times a second.
+/// Images from one team message of a robot to the next: it sends some eight messages a second.
 constexpr std::int64_t imagesPerTeamMessage = 3;
 
 }  // namespace gt

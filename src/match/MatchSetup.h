@@ -8,8 +8,8 @@
 
 namespace gt {
 
-/// Which match is played: all that it follows from, besides its files and what is done to it
-/// meanwhile. The same setup gives the same match, however it is run.
+/// All that determines a match, besides its files and the interventions in it. The same setup gives
+/// the same match, however it is run.
 struct MatchSetup {
   std::string scene{}, layout{}, profile{}, fidelity{}, behavior{}, motions{};
   /// Teams with files of their own (TeamFolder.h), as `teamFolder` takes them, or with programs of
@@ -31,20 +31,21 @@ struct MatchSetup {
 
   static constexpr auto fields() {
     return Fields{
-        field<&MatchSetup::scene>("file"),
-        field<&MatchSetup::layout>("of all robots, instead of the scene's, if not empty"),
+        field<&MatchSetup::scene>("scene file"),
+        field<&MatchSetup::layout>("layout of all robots; empty: the scene's layouts"),
         field<&MatchSetup::profile>(
-            "instead of the scene's and of what it says in elements, if not empty"),
-        field<&MatchSetup::fidelity>("instead of the scene's, if not empty"),
-        field<&MatchSetup::behavior>("agents file"),
-        field<&MatchSetup::motions>("folder"),
-        field<&MatchSetup::red>("team, if it has files of its own"),
-        field<&MatchSetup::blue>("team, if it has files of its own"),
+            "profile that replaces the scene's profile and its elements; empty: the scene's"),
+        field<&MatchSetup::fidelity>("fidelity of the bodies' motion; empty: the scene's"),
+        field<&MatchSetup::behavior>("agents file of the behavior"),
+        field<&MatchSetup::motions>("folder of the motions"),
+        field<&MatchSetup::red>("team that plays red; empty: the scene's team"),
+        field<&MatchSetup::blue>("team that plays blue; empty: the scene's team"),
         field<&MatchSetup::truth>("robots and teams that are given the truth"),
         field<&MatchSetup::randomChallenge>(
-            "a challenge's start is random, whatever the scene says"),
-        field<&MatchSetup::minutes>(Unit::min, "both halves together; 0: the scene's", {0, 1e4}),
-        field<&MatchSetup::seed>("matches of one seed are equal")};
+            "whether a challenge's start is random even if the scene does not state that"),
+        field<&MatchSetup::minutes>(Unit::min, "duration of both halves together; 0: the scene's",
+                                    {0, 1e4}),
+        field<&MatchSetup::seed>("seed of all random numbers; the same seed gives the same match")};
   }
 };
 static_assert(complete<MatchSetup>);

@@ -13,10 +13,10 @@
 
 namespace gt {
 
-/// Where something that was done to a match came from.
+/// The source of an intervention in a match.
 enum class InterventionKind { console, gameController };
 
-/// Something that was done to a match from outside, between two ticks.
+/// An intervention in a match from outside, between two ticks.
 struct Intervention {
   Time time;
   InterventionKind kind = InterventionKind::console;
@@ -24,21 +24,21 @@ struct Intervention {
 
   static constexpr auto fields() {
     return Fields{
-        field<&Intervention::time>(Unit::ms, "the tick after which it was done"),
+        field<&Intervention::time>(Unit::ms, "time of the tick after which it was made"),
         field<&Intervention::kind>(),
         field<&Intervention::line>(
-            "console: a command line; gameController: the message's bytes as hexadecimal digits")};
+            "command line of the console, or a game controller's message as hexadecimal digits")};
   }
 };
 
-/// A whole simulation at a moment, with all that the robots' programs remember: saved by
-/// `Match::save`, continued by `Match::load`.
+/// The state of a whole simulation at a moment, including the memory of the robots' programs: saved
+/// by `Match::save`, continued by `Match::load`.
 ///
-/// All that a match does follows from its files, its seed and what was done to it. So these are its
-/// state; loading plays the match again up to that moment, as fast as it goes, and compares the
-/// fingerprints. Writing down the memory of the robots' programs instead would need code in every
-/// module, and each field that a module's author forgets would be a silent error; this is right for
-/// every module. The price is time: a minute of a match takes some seconds to load.
+/// A match is determined by its files, its seed and the interventions. So these are its state;
+/// loading plays the match again up to that moment, as fast as possible, and compares the
+/// fingerprints. Saving the memory of the robots' programs instead would need code in every module,
+/// and each field that a module's author forgets would be a silent error; this is right for every
+/// module. The price is time: a minute of a match takes some seconds to load.
 struct MatchState : MatchSetup {
   Time time;
   std::vector<Intervention> history;
@@ -48,14 +48,14 @@ struct MatchState : MatchSetup {
 
   static constexpr auto fields() {
     return MatchSetup::fields() +
-           Fields{field<&MatchState::time>(Unit::ms, "how far it has come"),
-                  field<&MatchState::history>("in the order of time"),
+           Fields{field<&MatchState::time>(Unit::ms, "time of the match when it was saved"),
+                  field<&MatchState::history>("interventions in the order of time"),
                   field<&MatchState::fingerprint>(
-                      "of world and robots; 0: unknown, so it is not compared")};
+                      "fingerprint of world and robots; 0: unknown, so it is not compared")};
   }
 };
 
-/// Reads a state from a file. Fails if its times are not those of ticks in their order.
+/// Reads a state from a file. Fails if its times are not times of ticks in ascending order.
 Result<MatchState> readMatchState(const std::string& path);
 
 /// The bytes of a message as hexadecimal digits, and back. Anything that is no digit counts as 0.

@@ -133,8 +133,8 @@ double MatchStatistics::longestLost() const {
 
 namespace {
 
-/// From second to second, so that what sways does not walk; who was carried away did not walk
-/// either.
+/// The distance that a robot walked (mm), summed from second to second, so that swaying is not
+/// counted. Steps of a robot that was carried away are not counted either.
 double distanceWalked(const std::vector<RobotSample>& samples) {
   constexpr double longest = 500;  // mm
   double distance = 0;

@@ -10,8 +10,8 @@
 
 namespace gt {
 
-/// Compares what the robots of a match believe with the truth, image by image, while the game runs
-/// (ready, set, playing), and watches how they play.
+/// Compares the beliefs of the robots of a match with the truth, image by image, while the game
+/// runs (ready, set, playing), and measures how they play.
 class MatchStatistics {
  public:
   /// `kicks` are each robot's special actions that are kicks.
@@ -22,17 +22,17 @@ class MatchStatistics {
   void update();
   /// Fills in the summary's part about the robots, the ball and the play.
   void summarize(MatchSummary& summary) const;
-  /// The distances between believed and true positions in mm, of all robots and images.
+  /// The distances between believed and true positions (mm), of all robots and images.
   std::vector<double> localizationErrors() const;
   /// Whether a robot performs a kick.
   bool kicks(std::size_t robot) const { return records_[robot].kicking; }
-  /// The longest time in seconds that a robot was wrong by more than a meter.
+  /// The longest time (s) for which a robot's believed position was wrong by more than a meter.
   double longestLost() const;
 
  private:
   struct RobotRecord {
     std::vector<double> localization, rotation, ball;
-    double lostFor = 0, longestLost = 0;  ///< Images.
+    double lostFor = 0, longestLost = 0;  ///< In images.
     std::map<std::string, int> kicks;
     std::string lastAction;
     bool kicking = false;

@@ -24,7 +24,7 @@ struct ErrorStatistics {
   }
 };
 
-/// Something that happened in a match, as the referee saw it.
+/// An event of a match, as the referee saw it.
 struct MatchEvent {
   Time time;
   std::string kind;
@@ -39,16 +39,16 @@ struct MatchEvent {
         field<&MatchEvent::time>(Unit::ms),
         field<&MatchEvent::kind>(
             "goal, kickOff, halfTime, stuckBall, kick, end, ...; failure: of a robot's program"),
-        field<&MatchEvent::text>("one line for people"),
-        field<&MatchEvent::team>("that it is about"),
-        field<&MatchEvent::player>("1 to 4; 0 none"),
+        field<&MatchEvent::text>("description in one line"),
+        field<&MatchEvent::team>("team that the event is about"),
+        field<&MatchEvent::player>("number of the player concerned, 1 to 4; 0: none"),
         field<&MatchEvent::ownGoal>(),
-        field<&MatchEvent::redScore>("afterwards"),
+        field<&MatchEvent::redScore>("goals of the red team after the event"),
         field<&MatchEvent::blueScore>()};
   }
 };
 
-/// A time during which something did not hold that always should (Invariants.h).
+/// A time during which an invariant did not hold (Invariants.h).
 struct BrokenInvariant {
   Time time, until;
   Severity severity = Severity::error;
@@ -57,12 +57,12 @@ struct BrokenInvariant {
   std::string text;
 
   static constexpr auto fields() {
-    return Fields{field<&BrokenInvariant::time>(Unit::ms, "when it began"),
+    return Fields{field<&BrokenInvariant::time>(Unit::ms, "time at which the violation began"),
                   field<&BrokenInvariant::until>(Unit::ms),
                   field<&BrokenInvariant::severity>(),
                   field<&BrokenInvariant::invariant>(),
                   field<&BrokenInvariant::who>("robot, ball, or the world"),
-                  field<&BrokenInvariant::text>("when it was worst")};
+                  field<&BrokenInvariant::text>("description of the violation at its worst")};
   }
 };
 
@@ -72,7 +72,7 @@ struct RobotSample {
   double localizationError = 0;
 
   static constexpr auto fields() {
-    return Fields{field<&RobotSample::pose>(Unit::mmRad, "the truth, in the field's coordinates"),
+    return Fields{field<&RobotSample::pose>(Unit::mmRad, "true pose in the field's coordinates"),
                   field<&RobotSample::localizationError>(Unit::mm)};
   }
 };
@@ -87,7 +87,7 @@ struct KickCount {
   }
 };
 
-/// What a match's summary states about one robot.
+/// The part of a match's summary about one robot.
 struct RobotSummary {
   std::string name;
   TeamColor team = TeamColor::red;
@@ -108,19 +108,22 @@ struct RobotSummary {
     return Fields{
         field<&RobotSummary::name>(),
         field<&RobotSummary::team>(),
-        field<&RobotSummary::player>("1 to 4"),
+        field<&RobotSummary::player>("number of the player, 1 to 4"),
         field<&RobotSummary::role>(),
-        field<&RobotSummary::localizationError>(Unit::mm, "while the game runs, against the truth"),
-        field<&RobotSummary::rotationError>(Unit::rad, "while the game runs, against the truth"),
-        field<&RobotSummary::ballError>(Unit::mm, "of the own ball, while it is seen"),
-        field<&RobotSummary::distanceWalked>(Unit::mm,
-                                             "from second to second, unless somebody carried it"),
+        field<&RobotSummary::localizationError>(
+            Unit::mm, "error of the believed position while the game runs"),
+        field<&RobotSummary::rotationError>(Unit::rad,
+                                            "error of the believed rotation while the game runs"),
+        field<&RobotSummary::ballError>(Unit::mm,
+                                        "error of the own ball's position while the ball is seen"),
+        field<&RobotSummary::distanceWalked>(
+            Unit::mm, "distance walked, summed from second to second, without being carried"),
         field<&RobotSummary::falls>(),
         field<&RobotSummary::goals>(),
         field<&RobotSummary::ownGoals>(),
         field<&RobotSummary::kicks>(),
-        field<&RobotSummary::log>("file, beside this one"),
-        field<&RobotSummary::samples>("one a second")};
+        field<&RobotSummary::log>("log file, in the folder of this file"),
+        field<&RobotSummary::samples>("poses of the robot, one a second")};
   }
 };
 
@@ -132,15 +135,16 @@ struct PlayFigure {
 
   static constexpr auto fields() {
     return Fields{
-        field<&PlayFigure::name>("as play.match measures it; that of a team begins with its color"),
+        field<&PlayFigure::name>(
+            "name as in the experiment play.match; a team's figure begins with its color"),
         field<&PlayFigure::unit>(), field<&PlayFigure::value>()};
   }
 };
 
-/// How a shot ended: in the goal, at the goalie, at another robot, or it was none after all.
+/// The end of a shot: in the goal, at the goalie, at another robot, or off the course to the goal.
 enum class ShotEnd { goal, saved, stopped, missed };
 
-/// A ball that rolled to a goal, and what the goalie there did meanwhile.
+/// A ball that rolled to a goal, and the goalie's reaction.
 struct ShotSummary {
   Time time;
   TeamColor team = TeamColor::red;
@@ -154,19 +158,19 @@ struct ShotSummary {
   static constexpr auto fields() {
     return Fields{
         field<&ShotSummary::time>(Unit::ms),
-        field<&ShotSummary::team>("that shoots"),
-        field<&ShotSummary::robot>("index of the one that touched the ball last; -1 nobody"),
-        field<&ShotSummary::origin>(Unit::mm, "where the ball was"),
-        field<&ShotSummary::speed>(Unit::mmPerS, "of the ball at first"),
+        field<&ShotSummary::team>("team that shoots"),
+        field<&ShotSummary::robot>("index of the robot that touched the ball last; -1: none"),
+        field<&ShotSummary::origin>(Unit::mm, "position of the ball at the beginning"),
+        field<&ShotSummary::speed>(Unit::mmPerS, "speed of the ball at the beginning"),
         field<&ShotSummary::goalieMoved>(
-            Unit::mm, "how far the goalie was from where it stood at first, at most"),
+            Unit::mm, "greatest distance of the goalie from where it stood at the beginning"),
         field<&ShotSummary::goalieAction>("special action that the goalie began; empty: none"),
         field<&ShotSummary::end>()};
   }
 };
 
-/// What is to be known about a match when it is over: match.json. The same scene and seed give the
-/// same bytes; what was measured by the machine's clock therefore stands elsewhere (MatchTimes).
+/// The summary of a match: match.json. The same scene and seed give the same bytes; therefore times
+/// measured by the machine's clock are not part of it (MatchTimes).
 struct MatchSummary {
   std::string scene;
   std::uint64_t seed = 0;
@@ -185,7 +189,7 @@ struct MatchSummary {
     return Fields{
         field<&MatchSummary::scene>(),
         field<&MatchSummary::seed>(),
-        field<&MatchSummary::duration>(Unit::ms, "simulated"),
+        field<&MatchSummary::duration>(Unit::ms, "simulated time"),
         field<&MatchSummary::interrupted>(
             "whether it was ended before its end: by a signal, an error of its script, or a "
             "program that failed"),
@@ -193,15 +197,15 @@ struct MatchSummary {
         field<&MatchSummary::blueScore>(),
         field<&MatchSummary::truth>("robots that were given the truth; none in a fair match"),
         field<&MatchSummary::events>(),
-        field<&MatchSummary::broken>("invariants that did not hold, if it was asked to check them"),
-        field<&MatchSummary::play>("how both teams played, while the game runs"),
+        field<&MatchSummary::broken>("invariants that did not hold; empty if none was checked"),
+        field<&MatchSummary::play>("figures of how both teams played while the game ran"),
         field<&MatchSummary::shots>(),
         field<&MatchSummary::robots>(),
-        field<&MatchSummary::ball>(Unit::mm, "true position, one a second")};
+        field<&MatchSummary::ball>(Unit::mm, "true positions of the ball, one a second")};
   }
 };
 
-/// The time that a part of the system took, by the machine's clock.
+/// The computing time of a part of the system, by the machine's clock.
 struct PartTime {
   std::string part;
   std::int64_t count = 0;
@@ -213,7 +217,7 @@ struct PartTime {
   }
 };
 
-/// How long a match took: times.json.
+/// The computing times of a match: times.json.
 struct MatchTimes {
   double seconds = 0;
   double realTimeFactor = 0;
@@ -221,13 +225,14 @@ struct MatchTimes {
   std::vector<PartTime> parts;
 
   static constexpr auto fields() {
-    return Fields{field<&MatchTimes::seconds>(Unit::s, "from the first to the last step"),
-                  field<&MatchTimes::realTimeFactor>("simulated time over seconds"),
-                  field<&MatchTimes::threads>(), field<&MatchTimes::parts>("over all robots")};
+    return Fields{field<&MatchTimes::seconds>(Unit::s, "time from the first to the last step"),
+                  field<&MatchTimes::realTimeFactor>("simulated time divided by real time"),
+                  field<&MatchTimes::threads>(),
+                  field<&MatchTimes::parts>("computing times of the parts, over all robots")};
   }
 };
 
-/// A camera image with what the robot saw in it, for the report page.
+/// A camera image with the robot's percepts painted on it, for the report page.
 struct ReportPicture {
   std::string title;
   int width = 0, height = 0;

@@ -8,8 +8,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A team with a program. The robots read from the program's own tree what lies in this one's by
-/// the same name.
+/// Loads a team with a program. Its robots read the files of the program's own tree that have the
+/// same relative paths as those of this tree.
 Result<void> loadProgram(const std::string& name, const DataRoot& ours, MatchTeam& team) {
   auto program = teamProgram(name, ours);
   if (!program) return program.error();

@@ -13,30 +13,31 @@
 
 namespace gt {
 
-/// What the robots of a color play with.
+/// The files, and where it has one the program, of the team of a color.
 struct MatchTeam {
-  std::unique_ptr<TeamFolder> folder;  ///< Null if it has nothing of its own.
+  std::unique_ptr<TeamFolder> folder;  ///< Null if it has no files of its own.
   ConfigurationPaths paths;
   std::shared_ptr<const Configuration> configuration;  ///< Null if it has a program.
   std::optional<TeamProgram> program;
 
-  /// An error about its files with the name of the file behind it.
+  /// An error about its files, with the names of the original files instead of the links.
   Error named(Error error) const { return folder ? folder->named(std::move(error)) : error; }
-  /// Lays a team's folder over the paths.
+  /// Overrides the paths by a team's folder.
   Result<void> open(const std::string& name);
 };
 
 /// The two teams of a match.
 class MatchTeams {
  public:
-  /// Reads the files of both. The setup's names of teams mean the same for ever afterwards.
+  /// Reads the files of both teams. Resolves the setup's names of teams, so that they always denote
+  /// the same versions afterwards.
   static Result<MatchTeams> load(MatchSetup& setup, const DataRoot& root,
                                  const SceneDescription& scene);
 
   const MatchTeam& of(TeamColor color) const { return teams_[static_cast<std::size_t>(color)]; }
-  /// The project's own, which also holds for the field.
+  /// The project's own configuration, which also applies to the field.
   const std::shared_ptr<const Configuration>& configuration() const { return configuration_; }
-  /// Has both visit other places in a challenge.
+  /// Sets the places that both teams visit in a challenge.
   void setTargets(const TargetPoints& targets);
 
  private:

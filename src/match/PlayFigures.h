@@ -8,7 +8,7 @@
 
 namespace gt {
 
-/// How often something was so, of all times.
+/// Counts how often a condition was true.
 struct PlayShare {
   int hits = 0, all = 0;
 
@@ -18,17 +18,18 @@ struct PlayShare {
   }
 };
 
-/// Collects the figures of how a match was played. What was never counted or measured has none.
+/// Collects the figures of how a match was played. Quantities that were never counted or measured
+/// have no figure.
 class PlayFigures {
  public:
   void add(std::string name, std::string unit, double value) {
     figures_.push_back({std::move(name), std::move(unit), value});
   }
-  /// In percent.
+  /// Adds a share in percent.
   void share(std::string name, const PlayShare& share) {
     if (share.all > 0) add(std::move(name), "%", 100.0 * share.hits / share.all);
   }
-  /// Mean, median, 95th percentile and worst.
+  /// Adds mean, median, 95th percentile and worst value.
   void spread(const std::string& name, const std::string& unit, const std::vector<double>& values);
 
   std::vector<PlayFigure> take() { return std::move(figures_); }

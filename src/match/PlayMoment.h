@@ -16,13 +16,13 @@ struct PlayMoment {
   struct Robot {
     TeamColor team = TeamColor::red;
     Vector2d position = Vector2d::Zero();  ///< mm, on the field
-    Vector2d speed = Vector2d::Zero();     ///< mm/s, on the field, without what sways
+    Vector2d speed = Vector2d::Zero();     ///< mm/s, on the field, without swaying
     bool plays = true;                     ///< It is not penalized.
     bool kicks = false;                    ///< It performs a kick.
     std::string_view action;               ///< The special action that it performs; empty: none.
     bool hasRole = true;                   ///< Its role is known.
     DynamicRole role = DynamicRole::defensiveSupporter;
-    double ballUnseen = 0;                   ///< ms, since its camera saw the ball
+    double ballUnseen = 0;                   ///< ms since its camera saw the ball
     Vector2d kickTarget = Vector2d::Zero();  ///< mm, on the field, if its role is known
 
     double distanceTo(const BallState& to) const { return (position - to.position).norm(); }
@@ -43,16 +43,16 @@ struct PlayMoment {
   }
 };
 
-/// Whether a ball that nobody stops rolls into the goal at which a team plays. `deceleration` in
-/// mm/s^2.
+/// Whether a ball that no robot stops rolls into the goal that `shooter` attacks. `deceleration` is
+/// that of the ball (mm/s^2).
 bool rollsIntoGoal(const BallState& ball, TeamColor shooter, const FieldDimensions& field,
                    double deceleration);
 
-/// A ball rolls if it is faster (mm/s).
+/// A ball rolls if it is faster than this (mm/s).
 constexpr double rollingBall = 50;
-/// A robot is at the ball if its middle is nearer (mm).
+/// A robot is at the ball if its middle is nearer to it than this (mm).
 constexpr double atBall = 350;
-/// The ball is lost to a robot whose camera has not seen it for longer (ms).
+/// A robot has lost the ball if its camera has not seen it for longer than this (ms).
 constexpr double ballLost = 1000;
 
 }  // namespace gt

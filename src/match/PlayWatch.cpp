@@ -30,7 +30,7 @@ void PlayWatch::see(const PlayMoment& moment) {
   kicks_.see(moment_);
 }
 
-// A mean of the last ticks: a walking body sways.
+// Computes speeds as means over the last ticks, since a walking body sways.
 void PlayWatch::measureSpeeds() {
   constexpr double memory = 0.4;   // s
   constexpr double carried = 100;  // mm in a tick: it was put there

@@ -10,14 +10,14 @@
 
 namespace gt {
 
-/// How a goal came about: the goalie pushed in a ball that was not on its way in; the ball lay
-/// beside a goalie that did not see it; or it lay beside one that saw it; or it was shot, whether
-/// or not the goalie touched it then.
+/// The cause of a goal: the goalie pushed in a ball that was not rolling into the goal (touched);
+/// the ball lay beside a goalie that did not see it (unseen) or saw it (beside); or the ball was
+/// shot, whether or not the goalie touched it then (shot).
 enum class GoalCause { touched, unseen, beside, shot };
 
-/// How teams play: where the ball's time goes, what becomes of kicks and shots, who goes to the
-/// ball and whether it sees it, how goals come about, who breaks which rule. What experiments
-/// measure, match.json holds and the report page shows.
+/// Measures how teams play: what the ball's time is spent on, the results of kicks and shots, which
+/// robots go to the ball and whether they see it, the causes of goals, and the fouls. Experiments,
+/// match.json and the report page use these figures.
 class PlayWatch {
  public:
   /// `deceleration` of the rolling ball in mm/s^2.
@@ -28,13 +28,13 @@ class PlayWatch {
         kicks_{field, deceleration},
         shots_{field, deceleration} {}
 
-  /// A tick of the running game. The robots' speeds are found here.
+  /// Processes a tick of the running game. Computes the robots' speeds itself.
   void see(const PlayMoment& moment);
-  /// What the referee saw or did.
+  /// Processes an event of the referee.
   void note(const GameEvent& event);
 
   const std::vector<ShotSummary>& shots() const { return shots_.shots(); }
-  /// All figures of a match of so many minutes. Names of a team's begin with its color.
+  /// All figures of a match that took `minutes`. Names of a team's figures begin with its color.
   std::vector<PlayFigure> figures(double minutes) const;
 
  private:
@@ -42,9 +42,9 @@ class PlayWatch {
     TeamColor team = TeamColor::red;
     DynamicRole role = DynamicRole::defensiveSupporter, before = role;
     Time changed = never();
-    /// For how long the ball has been lying beside it, and that unseen (s).
+    /// Time for which the ball has been lying beside it, and lying there unseen (s).
     double ballBeside = 0, besideUnseen = 0;
-    Time leftBall = never(), missedBall = never();  ///< when that had been so for long
+    Time leftBall = never(), missedBall = never();  ///< when each last exceeded its limit
     Vector2d position = Vector2d::Zero(), speed = Vector2d::Zero();
   };
   struct TeamRecord {
@@ -54,7 +54,7 @@ class PlayWatch {
     double inOwnArea = 0;  ///< s, of all field players together
     int goals = 0;
     RunningStatistics strikerSpeed;  ///< mm/s, far from the ball
-    Time shot = never();             ///< when a ball was on its way into its goal
+    Time shot = never();             ///< when a ball last rolled towards its goal
   };
 
   void measureSpeeds();

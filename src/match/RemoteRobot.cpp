@@ -8,10 +8,10 @@
 namespace gt {
 namespace {
 
-/// No robot of this kind walks or turns faster; what would is no step but a new start.
+/// Greatest speeds of a robot; a step that would be faster comes from a restart of its program.
 constexpr double mostSpeed = 2.0;     // mm in 1 ms
 constexpr double mostTurning = 0.02;  // rad in 1 ms
-/// A robot that gives no commands for so long is off: it gives them in each frame.
+/// Time without commands after which a robot is off; otherwise it gives them in each frame.
 constexpr std::int64_t offAfter = 2000;  // ms
 
 }  // namespace
@@ -87,7 +87,7 @@ void RemoteRobot::take(JointData& joints, const RobotInput& input) {
   }
 }
 
-/// Goes on from where the robot is: after a new start its own odometry begins at the origin.
+/// Continues from the robot's present pose: after a restart its own odometry begins at the origin.
 void RemoteRobot::take(OdometryData& odometry, const RobotInput& input) {
   auto& in = received<OdometryData>();
   if (!in.take() || !isSane(in.value)) return;

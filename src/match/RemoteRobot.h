@@ -9,18 +9,18 @@
 
 namespace gt {
 
-/// How a robot outside keeps up with the simulation.
+/// Counts how well a remote robot keeps up with the simulation.
 struct RemoteStatistics {
   std::int64_t frames = 0;          ///< Frames of 8 ms since it first gave commands.
-  std::int64_t missedFrames = 0;    ///< Of these, without new commands.
+  std::int64_t missedFrames = 0;    ///< Frames without new commands.
   std::int64_t pictures = 0;        ///< Images since its first message to its team.
-  std::int64_t missedPictures = 0;  ///< Of these, without a new message to the team.
+  std::int64_t missedPictures = 0;  ///< Images without a new message to the team.
 };
 
 /// The hardware of a robot whose processes are programs of their own (report 2.2.3.1: no difference
-/// between communication among processes and with the operating system): sends them what the
-/// simulated sensors measured and takes their commands. It waits for nobody: a robot that does not
-/// answer keeps its joints where they are.
+/// between communication among processes and with the operating system): sends them the simulated
+/// measurements and takes their commands. It never waits: a robot that does not answer keeps its
+/// joints where they are.
 class RemoteRobot : public MatchRobot {
  public:
   /// Listens for the robot's processes, which its layout names; beyond this machine with keys.
@@ -32,7 +32,7 @@ class RemoteRobot : public MatchRobot {
   Image* nextImage() override { return &std::get<SentPackage<Image>>(inputs_).value; }
   const Image* lastImage() const override { return &std::get<SentPackage<Image>>(inputs_).value; }
 
-  /// It has given commands lately.
+  /// Whether it has given commands in the last two seconds.
   bool isOn() const override;
   const std::string& name() const { return name_; }
   const RemoteStatistics& statistics() const { return statistics_; }
@@ -47,7 +47,7 @@ class RemoteRobot : public MatchRobot {
   }
   void send(const RobotInput& input);
   void takeCommands(const RobotInput& input, RobotOutput& output);
-  // Take what has come, if anything has, and hand it to the body if that can do it.
+  // Take a received command, if there is one, and pass it to the body if it is valid.
   template <typename T>
   void take(T& command, const RobotInput& input);
   void take(JointData& joints, const RobotInput& input);
@@ -60,7 +60,7 @@ class RemoteRobot : public MatchRobot {
   Wire wire_;
   InputSlots<SentPackage> inputs_;
   CommandSlots<ReceivedPackage> commands_;
-  std::optional<CameraSettings> camera_;  ///< As the robot sent them last.
+  std::optional<CameraSettings> camera_;  ///< The settings that the robot sent last.
   BeliefSlots<ReceivedPackage> believed_;
   Pose2D walked_;  ///< By the robot's odometry, in its last message.
   Time walkedAt_ = never();

@@ -6,7 +6,7 @@
 
 namespace gt {
 
-/// A camera image with what the robot saw in it.
+/// A camera image with the drawings of the robot's percepts.
 struct ReportImage {
   std::string title;
   Image image;
@@ -14,9 +14,9 @@ struct ReportImage {
 };
 
 /// Keeps a number of the robots' camera images with their percepts for the report page, spread
-/// evenly over a match and over the robots: when the time of the next image has come, the next
-/// robot is asked to draw its percepts, and its next image is kept with these drawings. Drawings
-/// that somebody else asked for, or at other times, are not kept.
+/// evenly over a match and over the robots: when the next image is due, the next robot is requested
+/// to draw its percepts, and its next image is kept with these drawings. Drawings that were
+/// requested by others, or at other times, are not kept.
 class ReportImages {
  public:
   /// `count` images in `minutes`. The robots must outlive this object.
@@ -28,7 +28,7 @@ class ReportImages {
 
  private:
   void request(SimulatedRobot& robot);
-  /// In the thread of the robot's cycle.
+  /// Takes the drawings. Runs in the thread of the robot's cycle.
   void take(const SimulatedRobot& robot, const MessageQueue& messages);
 
   std::size_t count_;

@@ -7,7 +7,7 @@
 namespace gt {
 namespace {
 
-/// A ball that was stopped may go in within that time nevertheless (ms).
+/// Time within which a ball that was stopped may still go in (ms).
 constexpr int rebound = 1000;
 
 }  // namespace

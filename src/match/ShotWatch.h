@@ -7,7 +7,7 @@
 
 namespace gt {
 
-/// Follows each ball that rolls to a goal, and what the goalie there does meanwhile.
+/// Follows each ball that rolls to a goal, and the goalie's reaction.
 class ShotWatch {
  public:
   /// `deceleration` of the rolling ball in mm/s^2.
@@ -26,8 +26,8 @@ class ShotWatch {
  private:
   struct Running {
     ShotSummary shot;
-    Vector2d goalie = Vector2d::Zero();  ///< where it stood at first
-    std::string action;                  ///< which special action it performed then
+    Vector2d goalie = Vector2d::Zero();  ///< position of the goalie at first (mm, on the field)
+    std::string action;                  ///< special action that the goalie performed then
     Time lastTouch = never();            ///< when the ball was touched last before
     Time ended = never();                ///< when it was stopped; it may go in nevertheless
   };

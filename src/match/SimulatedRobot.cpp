@@ -129,7 +129,7 @@ void SimulatedRobot::send(const RobotInput& input, bool withImage) {
   nextLoggedImage_ = input.now + loggedImagePeriod_;
 }
 
-/// In place of what disabled tasks would provide.
+/// Sets the outputs of disabled tasks to the truth.
 void SimulatedRobot::layTruth(const OracledWorldState& truth) {
   const FrameInfo frame{truth.time};
   RobotPose pose;

@@ -15,32 +15,33 @@
 
 namespace gt {
 
-/// The platform of a robot in the simulator: hands what the simulated hardware measured to the
-/// robot's processes and takes their commands. Writes the robot's log.
+/// The platform of a robot in the simulator: passes the simulated measurements to the robot's
+/// processes and takes their commands. Writes the robot's log.
 ///
-/// A robot gets the truth (report 5.1) only if somebody gives it by name: from the start if its
-/// platform sends it (`representationsWithTruth`), or by `giveTruth`. Its log holds the truth in
-/// any case, as the simulator knows it: /OracledWorldState.
+/// A robot gets the truth (report 5.1) only on explicit request: from the start if its platform
+/// sends it (`representationsWithTruth`), or by `giveTruth`. Its log always holds the simulator's
+/// truth: /OracledWorldState.
 ///
 /// The camera writes each image into the package that the process with the ImageProcessor receives
-/// (`nextImage`), so nobody copies it; docs/image-path.md describes the whole path.
+/// (`nextImage`), so it is not copied; docs/image-path.md describes the whole path.
 class SimulatedRobot : public MatchRobot {
  public:
   SimulatedRobot(std::string name, std::unique_ptr<Robot> robot);
-  /// Makes the robot of one of a simulation's bodies, which bears the name of that, and attaches
-  /// it: the one way in for robots with programs. The simulation owns it.
+  /// Makes the robot for one of a simulation's bodies, with the body's name, and attaches it to the
+  /// simulation, which owns it. The only function that adds robots with programs.
   static Result<SimulatedRobot*> enter(Simulation& simulation, std::size_t index,
                                        const RobotSetup& setup);
 
-  /// Records from now on, so that a replay does the same again: with the images' pixels if
-  /// `pixels`, or else with what is seen in them.
+  /// Records a log from now on, so that a replay gives the same results: with the images' pixels if
+  /// `pixels`, otherwise with the percepts from them.
   Result<void> record(const std::string& path, const McapWriter::Metadata& about,
                       const Configuration::LogSettings& settings, const SetupFiles& setup,
                       bool pixels);
   Result<void> closeLog();
-  /// The first error while the log was written, once.
+  /// Returns once the first error while the log was written.
   std::optional<Error> takeLogError() { return log_ ? log_->takeError() : std::nullopt; }
-  /// Where messages go that a QueueFillRequest asks to save: BASE.saved.mcap, BASE.saved.2.mcap.
+  /// Sets the files of the messages that a QueueFillRequest requests to save: BASE.saved.mcap,
+  /// BASE.saved.2.mcap and so on.
   void saveTo(const std::string& base);
 
   void cycle(const RobotInput& input, RobotOutput& output) override;
@@ -59,14 +60,14 @@ class SimulatedRobot : public MatchRobot {
   /// the order in which they were added.
   using Observer = std::function<void(const MessageQueue& messages)>;
   void observe(Observer observer) { observers_.push_back(std::move(observer)); }
-  /// Sends the robot the truth with each image from now on, or no longer, between two cycles
-  /// (report I.5.3: so): for solutions that ask the oracle, which can be chosen from then on, and
-  /// in place of what disabled tasks would provide.
+  /// Starts or stops sending the robot the truth with each image (report I.5.3: so), for solutions
+  /// that use the oracle, which can be selected from then on, and in place of the results of
+  /// disabled tasks. To be called between two cycles.
   Result<void> giveTruth(bool on);
   /// Whether it has ever been given the truth.
   bool hadTruth() const { return hadTruth_; }
-  /// Gives the robot a computer of its own, so many times slower than this one: images that come
-  /// while it is busy are lost, as on the real one (report I.5.2: st off). 0: it takes no time.
+  /// Sets how many times slower than this computer the robot's computer is: images that come while
+  /// it is busy are lost, as on the real one (report I.5.2: st off). 0: its cycles take no time.
   void setSlowness(double slowness) { slowness_ = slowness; }
   std::int64_t lostImages() const { return lostImages_; }
 
@@ -88,7 +89,7 @@ class SimulatedRobot : public MatchRobot {
 
   std::string name_;
   std::unique_ptr<Robot> robot_;
-  // What the robot provides, until its layout changes.
+  // Pointers to the robot's values, valid until its layout changes.
   int layoutChanges_ = -1;
   BodyCommands commands_;
   const BehaviorTeamMessage* decision_ = nullptr;

@@ -14,7 +14,8 @@
 
 namespace gt {
 
-/// Sanitized programs are 10 to 50 times slower: they see the beginning of a match, in ms.
+/// Longest time of a match in tests (ms). Sanitized programs are 10 to 50 times slower, so they
+/// play only its beginning.
 #if defined(__SANITIZE_THREAD__)
 constexpr std::int64_t longestMatch = 800;
 #elif defined(__SANITIZE_ADDRESS__)
@@ -28,12 +29,13 @@ inline bool isOver(const Match& match) {
   return match.finished() || match.time() >= Time{longestMatch};
 }
 
-/// What a person does to a match in the tests: has play begin where the robots stand.
+/// A person's command in the tests: begins play where the robots stand.
 inline Result<void> whistle(Match& match, const std::string&) {
   match.simulation().referee().order(GameState::playing, match.simulation().world());
   return {};
 }
-/// Whether such a match is over, for which no clock runs: after its minutes from the start.
+/// Whether a match is over that was begun by `whistle`, for which no clock runs: after its minutes
+/// from the start.
 inline bool isPlayed(Match& match) {
   const double minutes = match.simulation().scene().game.minutes;
   return isOver(match) || match.time() >= Time{static_cast<std::int64_t>(minutes * 60'000)};
@@ -66,7 +68,7 @@ class MatchTest : public ::testing::Test {
     EXPECT_TRUE(match) << match.error().text();
     return std::move(*match);
   }
-  /// Everything that a match leaves which begins at once, as bytes by name.
+  /// The content of all files of a match that begins at once, by name.
   std::map<std::string, std::string> play(const std::string& name, std::uint64_t seed,
                                           std::size_t threads, double minutes,
                                           const std::string& scene = "scenes/match.scene",

@@ -8,7 +8,8 @@
 
 namespace gt {
 
-/// A red and a blue robot and a ball that lies before the red one, for what watches how teams play.
+/// A red and a blue robot and a ball that lies before the red one, for tests of the classes that
+/// measure how teams play.
 struct TestPlay {
   TestPlay() {
     moment.time = Time{1000};
@@ -19,7 +20,7 @@ struct TestPlay {
     moment.robots[1].position = {1900, 0};
     moment.ball.position = {1000, 0};
   }
-  /// Has a watch see the moment, which is followed by one some milliseconds later.
+  /// Passes the moment to a watch, and advances its time by `ms`.
   template <typename Watch>
   void see(Watch& watch, int ms = 8) {
     watch.see(moment);
@@ -44,7 +45,7 @@ struct TestPlay {
   PlayMoment moment;
 };
 
-/// The deceleration of the ball there (mm/s^2).
+/// The deceleration of the ball in these tests (mm/s^2).
 constexpr double testDeceleration = 250;
 
 /// The value of a figure; empty if there is none of that name.

@@ -9,24 +9,26 @@
 
 namespace gt {
 
-/// One of two sides that a person compares.
+/// One of two runs that are compared.
 struct ComparedRun {
   std::string log;
-  bool replayed = false;  ///< Otherwise it is taken as it was recorded.
+  bool replayed = false;  ///< Whether the log is replayed; otherwise it is taken as recorded.
   std::string task{},
       solution{};  ///< Replayed with another solution of this task; empty: with none.
 };
 
-/// Compares two logs, or what modules make of one log's inputs (`compareSides`). Changes nothing,
-/// and may be called by any thread.
+/// Compares two logs, or the outputs of modules for one log's inputs (`compareSides`). Has no side
+/// effects; may be called by any thread. `progress` is called with the share that is done, and
+/// returns false to stop.
 Result<LogComparison> compareRuns(const ComparedRun& a, const ComparedRun& b,
                                   const LogRobotOptions& options,
                                   const std::function<bool(double share)>& progress);
 
-/// A few lines about a comparison: each representation that differs, and where it does first.
+/// Describes a comparison in a few lines: each representation that differs, and where it first
+/// does.
 std::vector<std::string> linesOf(const LogComparison& comparison);
 
-/// All solutions of all tasks, disabled among them.
+/// All solutions of all tasks, including disabled.
 std::map<std::string, std::vector<std::string>> allSolutions();
 
 }  // namespace gt

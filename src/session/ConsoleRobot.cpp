@@ -19,7 +19,7 @@ class RobotOfScene : public ConsoleRobot {
   std::size_t index_;
 };
 
-/// A robot on a log, which is played as the session's time passes.
+/// A robot that runs on a log, which is played as the session's time passes.
 class RobotOnLog : public ConsoleRobot {
  public:
   RobotOnLog(const std::string& name, Time begin, std::unique_ptr<LogRobot> robot)

@@ -25,13 +25,13 @@ class ConsoleRobot {
   ConsoleRobot& operator=(const ConsoleRobot&) = delete;
 
   const std::string& name() const { return observed_.name(); }
-  /// What its messages report, and what can be requested of it.
+  /// Access to the values that it reports and to the requests that it accepts.
   ObservedRobot& observed() { return observed_; }
   /// Its index among the scene's active robots, if it is one of them.
   virtual std::optional<std::size_t> index() const { return std::nullopt; }
-  /// The same as its platform; null if it is none of them.
+  /// Its platform if it runs in the simulator of this program; otherwise null.
   virtual SimulatedRobot* simulated() { return nullptr; }
-  /// The log it runs on; null if it runs on none.
+  /// The log that it runs on; null if it runs on none.
   virtual LogRobot* onLog() { return nullptr; }
   /// Runs up to a time of the session; an error if it cannot.
   virtual Result<void> step(Time) { return {}; }
@@ -43,11 +43,11 @@ class ConsoleRobot {
 
  public:
   Recorder recorder{observed_};
-  /// What was asked of the robot last by hand, so that a part of it can be changed.
+  /// The last requests to the robot by hand, so that a part of them can be changed.
   MotionRequest motion;
   BehaviorControlRequest behavior;
   std::optional<HeadMode> headMode;
-  int sequences = 0;        ///< Of joint data, sent to it.
+  int sequences = 0;        ///< Number of sequences of joint data sent to it.
   bool printsTexts = true;  ///< Report I.5.3: msg.
 };
 

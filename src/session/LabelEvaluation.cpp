@@ -11,7 +11,7 @@
 namespace gt {
 namespace {
 
-/// Takes over what a robot provides, if it does.
+/// Copies a value that a robot provides; does nothing if it does not.
 template <typename T>
 void copyProvided(const Robot& robot, T& value) {
   if (const T* provided = robot.provided<T>()) value = *provided;

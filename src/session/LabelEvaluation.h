@@ -10,9 +10,9 @@ namespace gt {
 
 /// An image of a log.
 struct LoggedImage {
-  Time played;             ///< When it came in the log,
-  Time taken;              ///< and when it was taken: the label's time.
-  std::size_t moment = 0;  ///< Of the log player.
+  Time played;             ///< Its time in the log.
+  Time taken;              ///< When it was taken, which is the time of its label.
+  std::size_t moment = 0;  ///< Index of its moment in the log player.
 };
 
 /// The images of a log of this system, in their order: an image's number is its index. Empty if the
@@ -20,8 +20,8 @@ struct LoggedImage {
 Result<std::vector<LoggedImage>> imagesOf(const std::string& log,
                                           const std::function<bool(double share)>& progress);
 
-/// Replays a log, perhaps with another solution, and compares what vision finds in its labeled
-/// images with the labels. Any thread may call it.
+/// Replays a log, optionally with another solution, and compares the percepts in its labeled images
+/// with the labels. Any thread may call it.
 Result<std::vector<LabelError>> compareWithLabels(
     const ComparedRun& run, const ImageLabels& labels, const LogRobotOptions& options,
     const std::function<bool(double share)>& progress);

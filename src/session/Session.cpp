@@ -11,11 +11,11 @@
 namespace gt {
 namespace {
 
-/// Who falls further behind real time does not run to catch up.
+/// If the session is later than this, the clock is reset instead of catching up.
 constexpr std::chrono::milliseconds farBehind{100};
-/// Who is that far behind in all does not reach the pace.
+/// If the clock was reset by this in all, the session does not reach its pace.
 constexpr std::chrono::milliseconds tooFarBehind{500};
-/// How long a robot elsewhere may take to answer the first time.
+/// Longest time that a remote robot may take for its first answer.
 constexpr std::chrono::milliseconds connecting{1500};
 
 FoxgloveTruth truthOf(const Simulation& simulation) {
@@ -283,8 +283,8 @@ Result<void> Session::replay(const std::string& name, const std::string& file,
   return {};
 }
 
-/// Logs that have not been played yet begin in step with those that run when they begin: the later
-/// ones wait.
+/// Lets logs that have not been played yet begin in step with those that are running at that time:
+/// the later ones wait.
 void Session::alignLogs() {
   std::vector<LogPlayer*> logs;
   for (const auto& robot : state_.robots)

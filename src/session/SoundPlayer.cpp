@@ -3,10 +3,10 @@
 namespace gt {
 namespace {
 
-/// What a robot's loudspeaker plays; null if nothing of that has come from a robot elsewhere.
+/// The state of a robot's loudspeaker; null if none has been received from a remote robot.
 const Speaker* speakerOf(Session& session, ConsoleRobot& robot, bool isNew) {
   if (const auto index = robot.index()) return &session.simulation().output(*index).speaker;
-  // One that cannot be asked plays nothing.
+  // A robot that cannot be watched plays nothing.
   if (isNew) static_cast<void>(robot.observed().watch("Speaker", {DebugKeyMode::always, 0}));
   return robot.observed().newest<Speaker>();
 }

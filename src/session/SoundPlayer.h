@@ -8,14 +8,14 @@
 
 namespace gt {
 
-/// Plays on this machine what the loudspeakers of a session's robots begin to play.
+/// Plays on this machine the sounds that the loudspeakers of a session's robots begin to play.
 class SoundPlayer {
  public:
   /// `folder` holds the wave files.
   explicit SoundPlayer(std::string folder) : folder_{std::move(folder)} {}
 
-  /// Plays what has begun since this was called last; nothing at the first time. Returns an error
-  /// if this machine cannot play it.
+  /// Plays the sounds that have begun since the last call; none at the first call. Returns an error
+  /// if this machine cannot play one.
   Result<void> follow(Session& session, const std::vector<ConsoleRobot*>& robots);
 
  private:

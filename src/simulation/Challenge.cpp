@@ -9,17 +9,17 @@ namespace gt {
 namespace {
 
 constexpr std::int64_t pressMs = 200;
-/// Two contacts are two if nothing was touched between them for so long.
+/// Contacts count separately if nothing was touched for this time between them.
 constexpr std::int64_t contactMs = 1000;
-/// An obstacle that moved further was touched; so much it may sink in.
+/// An obstacle that moved further than this was touched; it may sink in by less.
 constexpr double touchedMm = 5;
 constexpr std::int64_t settlingMs = 500;
-/// The tail wags if it swings so far while the robot rests.
+/// The tail wags if it swings by `wagging` (rad) while the robot rests.
 constexpr double wagging = fromDegrees(60), restMm = 8;
 constexpr std::int64_t restMs = 300;
 constexpr int targetCount = 5;
 
-/// A place on the field that far from its walls.
+/// A random place on the field, at least `margin` (mm) from the walls.
 Vector2d placeOn(const FieldDimensions& field, double margin, Random& random) {
   for (;;) {
     const Vector2d place{(field.xGroundline - margin) * random.symmetric(),
@@ -30,7 +30,7 @@ Vector2d placeOn(const FieldDimensions& field, double margin, Random& random) {
   }
 }
 
-/// A place that keeps a distance from others.
+/// A random place on the field, at least `distance` (mm) from others if one is found.
 Vector2d placeAway(const FieldDimensions& field, double margin, const std::vector<Vector2d>& others,
                    double distance, Random& random) {
   constexpr int tries = 1000;
@@ -104,8 +104,8 @@ void Challenge::prepare(Simulation& simulation) {
   if (parameters_.random && parameters_.kind == ChallengeKind::obstacles) prepareCourse(world);
 }
 
-// Robots as they stand in a game: anywhere between the penalty areas, so far from each other that a
-// robot fits between any two.
+// Places the obstacles as robots stand in a game: anywhere between the penalty areas, with room for
+// a robot between any two.
 void Challenge::prepareCourse(World& world) {
   constexpr double apart = 650, ahead = 1550, aside = 1050;  // mm
   std::vector<Vector2d> places;

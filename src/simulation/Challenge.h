@@ -8,24 +8,25 @@
 
 namespace gt {
 
-/// Leads and scores a technical challenge of 2003 (report, chapter 4; facts 2.3): puts robots and
+/// Leads and scores a technical challenge of 2003 (report, chapter 4; facts 2.3). Puts robots and
 /// balls at random places if the scene asks for that, presses the robot's back switch at the start,
-/// and watches until the task is done or the scene's time is over. It is about the first robot.
+/// and watches until the task is done or the scene's time is over. Only the first robot is scored.
 class Challenge final : public SceneController {
  public:
-  /// What happened: one line for people.
+  /// An event of the challenge, described in one line.
   struct Note {
     Time time;
     std::string text;
   };
   /// A place to be visited.
   struct Target {
-    Vector2d place;
-    double distance = -1;  ///< mm, at which the robot wagged its tail; negative: it did not.
+    Vector2d place;  ///< mm, on the field.
+    /// From the place to where the robot wagged its tail (mm); negative if it did not.
+    double distance = -1;
     int points = 0;
   };
 
-  /// The targets are those of the localization challenge.
+  /// `targets` are the places (mm, on the field) of the localization challenge.
   Challenge(const ChallengeParameters& parameters, const std::vector<Vector2d>& targets,
             const Random& random);
 
@@ -36,7 +37,7 @@ class Challenge final : public SceneController {
   /// Whether the task was done: the ball is in the goal, all places were visited, the other goal
   /// was reached.
   bool succeeded() const { return succeeded_; }
-  /// From the start until the task was done, or until now.
+  /// Time from the start until the task was done, or until now (s).
   double seconds() const { return static_cast<double>(ended_ - started_) / 1000; }
   /// How often the robot touched another one.
   int contacts() const { return contacts_; }
@@ -62,7 +63,7 @@ class Challenge final : public SceneController {
   bool prepared_ = false, finished_ = false, succeeded_ = false;
   Time started_, ended_;
   // Contacts.
-  std::vector<Pose2D> stood_;  ///< Where the obstacles stood.
+  std::vector<Pose2D> stood_;  ///< Poses of all robots at the start, or at the last contact.
   Time touchedAt_ = never();
   int contacts_ = 0;
   // The tour.
@@ -72,8 +73,8 @@ class Challenge final : public SceneController {
   bool scored_ = false;
 };
 
-/// Random places on the field, each reachable for a robot: five targets of the localization
-/// challenge.
+/// Five random targets of the localization challenge (mm, on the field), each reachable for a
+/// robot.
 std::vector<Vector2d> randomTargets(const FieldDimensions& field, Random random);
 
 }  // namespace gt

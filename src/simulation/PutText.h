@@ -6,10 +6,10 @@
 
 namespace gt {
 
-/// What is different from what was asked for where something was put by hand, a line for a place
-/// and one for a speed; empty if it was put as asked.
+/// Describes how a placement by hand differs from the request: one line for the place, one for the
+/// speed. Empty if it does not differ.
 std::vector<std::string> describe(const Simulation& simulation, const Put& put);
-/// The same for all that was put since the last tick.
+/// Describes all placements since the last tick, as `describe` does.
 std::vector<std::string> describePuts(const Simulation& simulation);
 
 }  // namespace gt

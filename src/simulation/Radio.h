@@ -16,17 +16,17 @@ class Radio {
   Radio(const RadioParameters& parameters, const std::vector<Player>& players,
         const Random& random);
 
-  /// Sends a message at a time; the sender's number is put in by the network.
+  /// Sends a message to the sender's teammates. The network enters the sender's number.
   void send(std::size_t sender, const TeamMessage& message, Time now);
 
-  /// Moves what has come in for a robot to its messages; a message that was overtaken by a newer
-  /// one of the same sender is dropped. May run for several robots at once.
+  /// Moves the messages that have arrived for a robot to `messages`. A message that was overtaken
+  /// by a newer one of the same sender is dropped. May run for several robots at once.
   void receive(std::size_t robot, Time now, TeamMessages& messages);
 
   std::size_t lost() const { return lost_; }
 
-  /// How it transmits from now on.
   const RadioParameters& parameters() const { return parameters_; }
+  /// Sets the parameters for messages that are sent from now on.
   void change(const RadioParameters& parameters) { parameters_ = parameters; }
   /// Cuts one robot off from the network, or connects it again.
   void cut(std::size_t robot, bool off) { off_[robot] = off; }

@@ -168,8 +168,8 @@ const ImageTruth* Simulation::truth(std::size_t robot) const {
 
 namespace {
 
-/// Has the controller of a robot's hardware work. If it fails, the others play on, and its robot
-/// stands as it stood.
+/// Calls a robot's controller. If the controller throws, the error is noted, its robot stays as it
+/// stood, and the other robots continue.
 template <typename Hardware, typename Work>
 void let(Hardware& robot, Work&& work) {
   if (!robot.controller || !robot.failure.empty()) return;

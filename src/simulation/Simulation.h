@@ -31,12 +31,12 @@ class RobotController {
   /// Runs with the input of this tick. Controllers of different robots run at the same time on
   /// several threads: they share nothing that changes.
   virtual void cycle(const RobotInput& input, RobotOutput& output) = 0;
-  /// Completes the cycle, after those of all robots: for what a program elsewhere works on, so that
-  /// such programs work at the same time.
+  /// Completes the cycle, after `cycle` was called for all robots. Controllers whose program runs
+  /// in another process wait for it here, so that these programs run at the same time.
   virtual void finish(RobotOutput&) {}
 
-  /// Where the camera writes the next image, so that nobody has to copy it; null if it does not
-  /// matter where it lies.
+  /// Memory into which the camera writes the next image, so that it is not copied; null if the
+  /// simulation shall provide it.
   virtual Image* nextImage() { return nullptr; }
   /// The image that the robot works on, if `nextImage` is not null.
   virtual const Image* lastImage() const { return nullptr; }
@@ -70,19 +70,19 @@ class Simulation {
   static Result<std::unique_ptr<Simulation>> make(const SceneDescription& scene, std::uint64_t seed,
                                                   std::size_t threads = 1,
                                                   const FieldDimensions& field = {});
-  /// The same, with the scene's model, which was composed before (`composeModel`).
+  /// As above, with the scene's model composed before (`composeModel`).
   static Result<std::unique_ptr<Simulation>> make(const SceneDescription& scene, Model model,
                                                   std::uint64_t seed, std::size_t threads,
                                                   const FieldDimensions& field);
 
-  /// What of the models that the scene names has been left out of it. Empty if the model was made
-  /// elsewhere.
+  /// Parts of the scene's model files that were left out of the scene. Empty if the model was
+  /// passed to `make`.
   const std::vector<Error>& modelWarnings() const { return modelWarnings_; }
 
   /// Gives an active robot its controller. A robot without one stands still.
   void attach(std::size_t robot, std::unique_ptr<RobotController> controller);
-  /// What an active robot's kicks do in the kinematic fidelity, to be set before the first step;
-  /// otherwise they are those of the scene's configuration, `kicks.cfg`.
+  /// Sets the effects of an active robot's kicks in the kinematic fidelity. To be called before the
+  /// first step; by default they are those of the scene's configuration, `kicks.cfg`.
   void setKicks(std::size_t robot, std::shared_ptr<const KickTable> kicks) {
     robots_[robot].kicks = std::move(kicks);
   }
@@ -90,31 +90,32 @@ class Simulation {
   void add(std::unique_ptr<SceneController> controller) {
     sceneControllers_.push_back(std::move(controller));
   }
-  /// What a robot's controller threw, after which it was not called again; empty if it did not.
+  /// The error that a robot's controller threw, after which it was not called again; empty if it
+  /// threw none.
   const std::string& failure(std::size_t robot) const { return robots_[robot].failure; }
   /// Continues in the other fidelity with everything where it is. Fails if the scene's models
   /// cannot be read any more.
   Result<void> changeFidelity(Fidelity fidelity);
-  /// How far all is from perfect from now on: takes over the profile and its elements from a scene
-  /// that is this one otherwise. The audience stays.
+  /// Applies profile, noise, body, walking, dynamics, camera, ball (`physics`) and radio parameters
+  /// of `scene`, which must equal the running scene in all else. Spectators are not changed.
   void change(const SceneDescription& scene);
-  /// Sets one active robot's camera as its program wants it (report B.4.3).
+  /// Applies the camera settings that an active robot's program requested (report B.4.3).
   void setCamera(std::size_t robot, const CameraSettings& settings) {
     robots_[robot].settings = settings;
     robots_[robot].camera = withSettings(scene_.camera, settings);
   }
-  /// Sets the effects of one active robot's camera; at the start all are those of the scene.
+  /// Sets the effects of one active robot's camera. At the start they are those of the scene.
   void setCamera(std::size_t robot, const CameraEffects& effects) {
     robots_[robot].camera = effects;
   }
   const CameraEffects& camera(std::size_t robot) const { return robots_[robot].camera; }
-  /// Switches all cameras. They are on at the start.
+  /// Switches all cameras on or off. They are on at the start.
   void takeImages(bool on) { takeImages_ = on; }
-  /// Switches the camera of one active robot (report I.5.3: ci). While it is off, the robot gets
-  /// its last image again and again, so that the processes that wait for images still run.
+  /// Switches the camera of one active robot on or off (report I.5.3: ci). While it is off, the
+  /// robot gets its last image repeatedly, so that the processes that wait for images still run.
   void takeImages(std::size_t robot, bool on);
 
-  /// One tick.
+  /// Simulates one tick (8 ms).
   void step();
 
   Time time() const { return world_->time(); }
@@ -131,37 +132,39 @@ class Simulation {
   const Radio& radio() const { return radio_; }
   Actuators& actuators() { return actuators_; }
   FieldSensors& fieldSensors() { return fieldSensors_; }
-  /// What a sensor of the field measured last, or measures now if that is costly.
+  /// The last values of a sensor of the field. A sensor that is costly (a facette) measures now.
   const std::vector<double>& readFieldSensor(std::size_t sensor) {
     return fieldSensors_.read(sensor, *world_, *cameraScene_);
   }
-  /// What the scene's camera at the ceiling saw in this tick; null if it has none, or saw nothing.
+  /// The percept of the scene's ceiling camera in this tick; null if the scene has no such camera,
+  /// or it took no image in this tick.
   const CeilingCameraPercept* ceilingPercept() const {
     return ceilingCamera_ && ceilingPercept_.time == time() ? &ceilingPercept_ : nullptr;
   }
-  /// The last of these, also in ticks without a new one.
+  /// The last percept of the ceiling camera, also in ticks without a new one.
   const CeilingCameraPercept& lastCeilingPercept() const { return ceilingPercept_; }
   Sensors& sensors(std::size_t robot) { return robots_[robot].sensors; }
   RobotController* controller(std::size_t robot) { return robots_[robot].controller.get(); }
-  /// What a robot received and returned in the last tick.
+  /// Input and output of an active robot's controller in the last tick.
   const RobotInput& input(std::size_t robot) const { return robots_[robot].input; }
   const RobotOutput& output(std::size_t robot) const { return robots_[robot].output; }
-  /// Has the true class and geom of each pixel kept with one active robot's images from now on.
+  /// From now on, keeps the true class and geom of each pixel of one active robot's images.
   void keepTruth(std::size_t robot);
-  /// Those of its last image; null if they are not kept, or there was no image since then.
+  /// The truth about a robot's last image; null if it is not kept (`keepTruth`), or there was no
+  /// image since then.
   const ImageTruth* truth(std::size_t robot) const;
   /// A robot's last image, also in ticks without a new one; without pixels before the first.
   const Image& image(std::size_t robot) const;
-  /// What its camera looked at in that image.
+  /// The view from which the robot's last image was taken.
   const CameraView& lastView(std::size_t robot) const { return robots_[robot].view; }
-  /// Takes an image of a robot now, with all errors of its camera, and what is true in it, if
-  /// `truth` is not null. The robot does not get it.
+  /// Takes an image with a robot's camera now, with all its errors, and the truth about it if
+  /// `truth` is not null. The robot does not get the image.
   void takeImage(std::size_t robot, CameraRenderer& renderer, Image& image, ImageTruth* truth);
   /// A hash of the state of world, game and radio and of what the robots sense and do. Equal runs
   /// have equal fingerprints; different ones almost never.
   std::uint64_t fingerprint() const;
-  /// The time that the parts of the simulator have taken: the world, and for each robot its sensors
-  /// and its camera.
+  /// The computing times of the simulator's parts: the world, and for each robot its sensors and
+  /// its camera.
   std::vector<const Stopwatch*> times() const;
 
  private:
@@ -181,13 +184,13 @@ class Simulation {
     Image image;  ///< The last one, unless it lies at the controller.
     Pose2D odometry;
     Random delays;              ///< Of the images.
-    CameraSettings settings{};  ///< Of the camera, that the robot asked for last.
+    CameraSettings settings{};  ///< The camera settings that the robot requested last.
     CameraView view{};          ///< Of the last image.
-    /// Commands that the motors do not act on yet: a ring, and how many there have been.
+    /// Ring of the commands that the motors do not act on yet, and the number of all commands.
     std::array<RobotCommand, mostDue> due{};
     std::size_t commands = 0;
     Stopwatch sensorTime{"sensors"}, cameraTime{"camera"};
-    Stopwatch imageTime{"image"};  ///< All that it does in a tick with an image.
+    Stopwatch imageTime{"image"};  ///< All work on the robot in a tick with an image.
     std::string failure{};
     std::unique_ptr<ImageTruth> truth{};  ///< Of the last image, if it is kept.
   };
@@ -196,8 +199,8 @@ class Simulation {
              std::size_t threads, const FieldDimensions& field);
 
   void prepareCameras();
-  /// Has those robots begin whose last images took longest, so that no thread is left alone with
-  /// one of them at the end.
+  /// Starts with the robots whose last images took longest, so that no thread works on one of them
+  /// alone at the end.
   void orderByWork();
   /// Runs a robot for one tick. `renderer` is null if no image is due.
   void run(std::size_t robot, CameraRenderer* renderer);
@@ -225,7 +228,7 @@ class Simulation {
   std::unique_ptr<CameraScene> cameraScene_;
   std::vector<CameraRenderer> renderers_;  ///< One for each thread.
   std::vector<Hardware> robots_;
-  std::vector<std::size_t> order_;  ///< In which robots run; it changes nothing of what they do.
+  std::vector<std::size_t> order_;  ///< In which robots run; it does not influence the results.
   std::vector<RobotCommand> commands_;
   std::int64_t tick_ = 0;
   bool takeImages_ = true;
@@ -233,7 +236,7 @@ class Simulation {
   WorkerPool pool_;
 };
 
-/// The view of a robot's camera whose last row was exposed so many milliseconds ago, at most
+/// The view of a robot's camera for an image whose last row was exposed `delay` (ms) ago, at most
 /// CameraEffects::longestDelay.
 CameraView cameraView(const World& world, std::size_t robot, const CameraInfo& info,
                       double delay = 0);

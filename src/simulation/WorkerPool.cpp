@@ -7,8 +7,8 @@
 namespace gt {
 namespace {
 
-/// Waits until a value is no longer what it was. The next job mostly comes at once, and waking a
-/// thread that sleeps takes longer than many a job: so first it only steps aside for others.
+/// Waits until a value differs from `old`. The next job mostly comes at once, and waking a sleeping
+/// thread takes longer than many a job: so the thread first only yields.
 void awaitChange(const std::atomic<std::uint32_t>& value, std::uint32_t old) {
   constexpr int looks = 500;  // some 200 us
   for (int i = 0; i < looks; ++i) {
@@ -18,12 +18,12 @@ void awaitChange(const std::atomic<std::uint32_t>& value, std::uint32_t old) {
   value.wait(old);
 }
 
-/// Work with what it has thrown: of several exceptions that of the lowest index.
+/// Calls work and keeps its exception; of several exceptions that of the lowest index.
 struct GuardedWork {
   const WorkerPool::Work& work;
   std::mutex mutex{};  ///< Of the following two.
   std::exception_ptr failure{};
-  std::size_t failed = 0;  ///< The index of it.
+  std::size_t failed = 0;  ///< The index whose work threw `failure`.
 
   void operator()(std::size_t index, std::size_t worker) {
     try {

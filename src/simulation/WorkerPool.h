@@ -8,8 +8,7 @@
 namespace gt {
 
 /// Threads that wait for work and share it: each index of a job is worked on by exactly one of
-/// them. A job whose indices touch only what is theirs gives the same result with any number of
-/// threads.
+/// them. A job whose indices access disjoint data gives the same result with any number of threads.
 class WorkerPool {
  public:
   using Work = std::function<void(std::size_t index, std::size_t worker)>;
@@ -23,8 +22,8 @@ class WorkerPool {
   std::size_t threads() const { return threads_.size() + 1; }
 
   /// Calls work(index, worker) for 0 .. count-1, worker in 0 .. threads()-1; returns when all is
-  /// done. The calling thread works, too, and does all that the others come too late for. Not to be
-  /// called from within work.
+  /// done. The calling thread works, too, and takes all indices that the others have not taken. Not
+  /// to be called from within work.
   void forEach(std::size_t count, const Work& work);
 
  private:
@@ -36,8 +35,9 @@ class WorkerPool {
   const Work* work_ = nullptr;
   std::uint32_t count_ = 0;
   std::atomic<std::uint32_t> job_{0};
-  /// The number of the job, and in the lower half how many of its indices nobody has taken yet: so
-  /// who comes too late for one job never takes an index of the next without its work.
+  /// Upper half: the number of the job. Lower half: how many of its indices no thread has taken
+  /// yet. So a thread that is too late for one job never takes an index of the next one with the
+  /// old work.
   std::atomic<std::uint64_t> open_{0};
   std::atomic<std::uint32_t> unfinished_{0};
   std::atomic<bool> stop_{false};

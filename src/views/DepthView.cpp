@@ -19,7 +19,7 @@ struct DepthImage {
   float at(int x, int y) const { return depths[static_cast<std::size_t>(y * width + x)]; }
 };
 
-/// What a robot's camera would see of the scene without faults.
+/// The depths in the image of a robot's camera without errors.
 DepthImage depthImage(const Simulation& simulation, std::size_t robot) {
   const CameraScene scene{simulation.world().model()};
   const CameraInfo& optics = simulation.scene().optics;
@@ -44,7 +44,7 @@ Image blank(int width, int height) {
   return image;
 }
 
-/// Near is bright. Half as bright is twice as far as the nearest.
+/// The inverse depths as brightness: the nearest point is white, twice its depth is half as bright.
 Image brightness(const DepthImage& depth) {
   const float nearest = *std::ranges::min_element(depth.depths);
   Image image = blank(depth.width, depth.height);

@@ -89,7 +89,7 @@ Drawing flags(const FieldDimensions& f, TeamColor team) {
   return drawing;
 }
 
-/// Where robots and balls truly are, as a team sees it.
+/// The true places of robots and balls, as a team sees them.
 Drawing truthDrawing(Simulation& simulation, TeamColor team) {
   Drawing drawing;
   const World& world = simulation.world();
@@ -120,7 +120,7 @@ Drawing truthDrawing(Simulation& simulation, TeamColor team) {
   return drawing;
 }
 
-/// A drawing around a robot, moved to where the robot thinks that it is.
+/// A drawing around a robot, moved to the robot's believed pose.
 Drawing onField(Drawing drawing, const Pose2D& pose) {
   for (DrawingElement& element : drawing.elements)
     for (Vector2d& point : element.points) point = pose * point;

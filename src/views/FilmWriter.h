@@ -13,13 +13,13 @@ class FilmWriter {
  public:
   static constexpr int imagesPerSecond = 25;
 
-  /// Both sizes become even.
+  /// Opens a film. Width and height (pixels) are made even.
   static Result<std::unique_ptr<FilmWriter>> open(const std::string& file, int width, int height);
   ~FilmWriter();  ///< Closes the film.
   FilmWriter(const FilmWriter&) = delete;
   FilmWriter& operator=(const FilmWriter&) = delete;
 
-  /// An image; of another size it is cut or left with a border.
+  /// Adds an image; one of another size is cropped, or gets a border.
   Result<void> add(const RgbImage& picture);
   Result<void> close();
 

@@ -26,7 +26,7 @@ struct Curve {
   std::vector<ObservedRobot::Point> points;
 };
 
-/// Axes of a plot: which times and values lie where.
+/// Axes of a plot, which map times and values to the sheet.
 struct Axes {
   double fromTime, toTime, low, high;
   Vector2d corner{60, 20}, size{720, 300};
@@ -37,7 +37,7 @@ struct Axes {
   }
 };
 
-/// What was recorded, and what the robots plot.
+/// The curves of recorded values, and of values that the robots plot.
 std::vector<Curve> curvesOf(const ViewSubject& subject) {
   std::vector<Curve> curves;
   if (subject.recorded)

@@ -8,7 +8,7 @@ namespace {
 
 constexpr Color dark{40, 40, 44};
 
-/// Where an LED is in the panel, in pixels from the panel's corner, and its color when it is lit.
+/// An LED's place in the panel, in pixels from the panel's corner, and its color when it is lit.
 /// Four of the face are red, those in the middle of both sides and on top are green (facts, 1.3).
 struct LedPlace {
   Led led;
@@ -22,7 +22,7 @@ const LedPlace ledPlaces[] = {
     {Led::lowerRight, {44, 88}, colors::red},    {Led::tailBlue, {58, 150}, {90, 130, 255}},
     {Led::tailRed, {82, 150}, colors::orange}};
 
-/// The face as it is seen from before, and the tail below, with what is lit.
+/// Paints the face seen from the front, and the tail below, with the LEDs that are lit.
 void paintLeds(Sheet& sheet, const Vector2d& corner, const LedValue& leds) {
   Drawing drawing;
   const auto add = [&](ElementType type, std::vector<Vector2d> points, double size, Color color) {

@@ -9,10 +9,10 @@
 namespace gt {
 namespace {
 
-/// A pixel of the image is the mean of so many pixels of the camera's in each direction: smooth
-/// edges.
+/// Number of the camera's pixels in each direction whose mean is a pixel of the image, so that
+/// edges are smooth.
 constexpr int fineness = 3;
-/// Geoms of this group are not seen (CameraScene).
+/// Geoms of this group are not drawn (CameraScene).
 constexpr int unseenGroup = 5;
 
 CameraView viewOf(const SceneCamera& camera) {
@@ -32,7 +32,7 @@ CameraView viewOf(const SceneCamera& camera) {
   return view;
 }
 
-/// Each pixel is the mean of a square of the image's.
+/// Reduces an image: each pixel is the mean of a square of pixels.
 RgbImage reduced(const RgbImage& fine) {
   RgbImage picture{fine.width / fineness, fine.height / fineness, {}};
   for (int y = 0; y < picture.height; ++y)

@@ -10,13 +10,13 @@
 
 namespace gt {
 
-/// What views look at. Filled in by who shows them; all of it must outlive the call of a view.
+/// The data that views show. Filled in by the caller of a view; all of it must outlive the call.
 struct ViewSubject {
   using Series = std::map<std::string, std::vector<ObservedRobot::Point>>;
 
   Time now;
-  std::vector<ObservedRobot*> robots;  ///< Those that are selected; most views show the first.
-  Simulation* simulation = nullptr;    ///< Null where nothing is simulated: there is no truth then.
+  std::vector<ObservedRobot*> robots;  ///< The selected robots; most views show the first.
+  Simulation* simulation = nullptr;    ///< Null where nothing is simulated: then without truth.
   FieldDimensions field;
   const Series* recorded = nullptr;  ///< Values over time, by their names; null if there are none.
 
@@ -26,19 +26,19 @@ struct ViewSubject {
   Result<std::size_t> sceneRobot(const std::string& name) const;
 };
 
-/// A view: turns what is known into a sheet, which becomes PNG or SVG, an image of a film, or what
-/// a window shows. It keeps nothing between two calls, and asks the robots for what it needs; what
-/// debug drawings show must have been asked for (`dk`). One file a view; `builtInViews` lists them.
+/// A view: paints data on a sheet, which becomes PNG or SVG, an image of a film, or the content of
+/// a window. It is stateless, and requests the values that it needs from the robots; debug drawings
+/// must have been requested before (`dk`). One file a view; `builtInViews` lists them.
 class View {
  public:
   View(std::string name, std::string help) : name_{std::move(name)}, help_{std::move(help)} {}
   virtual ~View() = default;
 
   const std::string& name() const { return name_; }
-  /// What it shows and what its numbers mean, in one line.
+  /// Describes in one line what it shows and what its numbers mean.
   const std::string& help() const { return help_; }
-  /// Shows the subject as it is now. The numbers are the view's own parameters, such as from where
-  /// it looks; none of them is needed.
+  /// Paints the present state of the subject. `numbers` are the view's own parameters, such as the
+  /// place from which it looks; all of them are optional.
   virtual Result<Sheet> show(const ViewSubject& subject, std::span<const double> numbers) const = 0;
 
  private:

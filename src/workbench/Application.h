@@ -14,7 +14,7 @@ class Application : public QApplication {
   using QApplication::QApplication;
 
   bool notify(QObject* receiver, QEvent* event) override;
-  /// What has ended the event loop, once.
+  /// Returns once the error that has ended the event loop; empty if there is none.
   std::optional<Error> takeFailure() { return std::exchange(failure_, std::nullopt); }
 
  private:

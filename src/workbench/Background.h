@@ -11,11 +11,11 @@
 
 namespace gt {
 
-/// Long work on a thread of its own, one at a time, which neither the window nor the session wait
-/// for. Its end stops what runs.
+/// Runs long work on a thread of its own, one at a time, for which neither the window nor the
+/// session waits. The destructor stops the running work.
 class Background {
  public:
-  /// To be called by the work with the share that is done; false: it is to stop.
+  /// To be called by the work with the share that is done; returns false if the work must stop.
   using Progress = std::function<bool(double share)>;
 
   Background() = default;
@@ -24,8 +24,8 @@ class Background {
   ~Background() { end(); }
 
   /// Calls `work(progress)`, and then `show` with its result on the window's thread, unless
-  /// `receiver` is gone by then; what it throws is thrown there (Application). What ran before is
-  /// stopped, and not shown.
+  /// `receiver` is gone by then. Exceptions of `work` are rethrown there (Application). Work that
+  /// was running before is stopped, and its result is not shown.
   template <typename Work, typename Show>
   void start(QObject* receiver, Work work, Show show) {
     end();
@@ -53,7 +53,7 @@ class Background {
           Qt::QueuedConnection);
     }};
   }
-  /// Has the work return what it has so far.
+  /// Lets the work stop and return its results so far.
   void stop() {
     if (state_) state_->stopping = true;
   }

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t mostParts = 20'000;
 constexpr const char* beginOfTrace = "xabsl";
 
-/// What the traces in a log are about: its first one; empty if there is none.
+/// The first trace in a log, to which all others refer; empty if there is none.
 std::string subjectIn(const std::string& log) {
   auto reader = McapReader::open(log);
   if (!reader) return {};

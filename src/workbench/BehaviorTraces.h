@@ -8,17 +8,18 @@
 
 namespace gt {
 
-/// What a robot's behavior sends about its decisions (xabsl/tools/trace), collected for a dialog:
-/// also of robots on logs, where it comes from the log if the behavior does not run itself.
+/// Collects for a dialog the traces that a robot's behavior sends about its decisions
+/// (xabsl/tools/trace). For robots on logs, traces are taken from the log if the behavior does not
+/// run itself.
 class BehaviorTraces {
  public:
   explicit BehaviorTraces(SessionThread& session);
 
-  /// Collects those of another robot from now on; empty: of the connected one.
+  /// Collects the traces of another robot from now on; empty: of the connected one.
   void follow(const std::string& robot);
-  /// The texts that came since this was called last. The first states what all others are about.
+  /// The texts received since the last call. The first text describes what all others refer to.
   std::deque<std::string> takeParts();
-  /// Whether the robots are other ones since this was asked last.
+  /// Whether the session was restarted, and so has other robots, since the last call.
   bool beganAnew();
 
  private:
@@ -26,7 +27,7 @@ class BehaviorTraces {
 
   SessionThread& session_;
   std::shared_ptr<Collector> collector_;
-  std::shared_ptr<const void> handle_;  ///< Its end ends the collecting.
+  std::shared_ptr<const void> handle_;  ///< Its destruction ends the collecting.
   std::uint64_t beginnings_ = 0;
 };
 

@@ -14,7 +14,7 @@
 
 namespace gt {
 
-/// A graph to be drawn: nodes, and arrows between them by their numbers.
+/// A graph to be drawn: nodes, and arrows between nodes given by their indices.
 struct ChartPlan {
   enum class Shape { box, rounded, ellipse, doubleEllipse, dashed, point };
   struct Node {
@@ -33,20 +33,20 @@ struct ChartPlan {
   bool leftToRight = false;
 };
 
-/// Shows a graph, placed by Graphviz's program dot, while nodes and arrows light up. The wheel
-/// zooms, dragging moves it, a double click shows all of it again.
+/// Shows a graph that is laid out by Graphviz's program dot, and in which nodes and arrows can be
+/// lit up. The wheel zooms, dragging moves the graph, a double click shows all of it again.
 class ChartWidget : public QWidget {
  public:
   explicit ChartWidget(QWidget* parent = nullptr);
 
-  /// Shows another graph as soon as it is placed.
+  /// Shows another graph as soon as it is laid out.
   void showChart(ChartPlan plan);
-  /// Lights nodes and arrows up, from 0 to 1 each, by their numbers in the plan; missing ones are
-  /// dark.
+  /// Sets the brightness of nodes and arrows, from 0 to 1 each, by their indices in the plan;
+  /// missing ones are dark.
   void light(std::vector<double> nodes, std::vector<double> edges);
   void select(std::optional<int> node);
   const ChartPlan& plan() const { return plan_; }
-  /// Where a node is in the widget; empty if it is not placed yet.
+  /// The rectangle of a node in the widget (pixels); empty if it is not laid out yet.
   std::optional<QRectF> placeOf(int node) const;
 
   std::function<void(int node)> clicked;
@@ -80,7 +80,7 @@ class ChartWidget : public QWidget {
   void paintEdge(QPainter& painter, std::size_t edge) const;
 
   ChartPlan plan_, next_;
-  std::optional<ChartPlan> waiting_;  ///< Until the next one is placed.
+  std::optional<ChartPlan> waiting_;  ///< The next plan, which waits for being laid out.
   Placed placed_;
   QString fault_;
   std::vector<double> nodeLights_, edgeLights_;

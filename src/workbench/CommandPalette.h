@@ -8,7 +8,7 @@
 
 namespace gt {
 
-/// Finds what the menus offer and the commands of the console by some letters of their names.
+/// Finds entries of the menus and commands of the console by some letters of their names.
 class CommandPalette : public QDialog {
  public:
   CommandPalette(QWidget* parent, const QList<QAction*>& actions, SessionThread& session);
@@ -26,7 +26,8 @@ class CommandPalette : public QDialog {
   QListWidget* list_;
 };
 
-/// How well letters match a text that holds them in their order; less is better, -1: not at all.
+/// Rates how well letters match a text that contains them in their order; less is better, -1: the
+/// text does not contain them.
 int mismatch(const QString& letters, const QString& text);
 
 }  // namespace gt

@@ -7,7 +7,7 @@
 
 namespace gt {
 
-/// What is shown of a value over time.
+/// The filters of a value over time.
 enum class CurveFilterKind { none, derivative, mean200ms, mean1s };
 
 /// Filters a value point by point.
@@ -27,7 +27,7 @@ class CurveFilter {
     }
     const double length = kind_ == CurveFilterKind::mean200ms ? 0.2 : 1;
     window_.emplace_back(time, value);
-    // Summed up anew, so that rounding does not add up.
+    // The sum is computed anew, so that rounding errors do not accumulate.
     while (window_.front().first < time - length) window_.pop_front();
     double sum = 0;
     for (const auto& [at, known] : window_) sum += known;

@@ -27,9 +27,9 @@ class CurvePlot : public QCustomPlot {
 
   struct Curve {
     QCPGraph* graph = nullptr;
-    QCPCurve* overX = nullptr;  ///< The same over another value.
+    QCPCurve* overX = nullptr;  ///< The curve over another value.
     Time last = never();
-    QCPGraph* before = nullptr;                   ///< Of the run before a reset, to compare with.
+    QCPGraph* before = nullptr;                   ///< The run before a reset, to compare with.
     std::deque<std::pair<double, double>> raw{};  ///< Times (s) and values without the filter.
     CurveFilter filter{};
   };
@@ -44,22 +44,23 @@ class CurvePlot : public QCustomPlot {
   int axisOf(const Curve& curve) const;
   void setAxis(const std::string& name, int axis);
   void setFilter(const std::string& name, CurveFilterKind kind);
-  /// What is on the x axis: a value that is shown; empty: time.
+  /// The name of the value on the x axis, which is one of those shown; empty: time.
   const std::string& x() const { return x_; }
   void setX(const std::string& name);
 
-  /// Takes new points; those of curves that are not there are passed over.
+  /// Adds new points; those of values without a curve are ignored.
   void take(const PlottedValues& news);
-  /// The session begins anew: what the curves have shown stays, faint, until the next time.
+  /// To be called when the session begins anew: keeps the present curves, faint, until the next
+  /// call.
   void keepRuns();
-  /// Shows the last seconds.
+  /// Shows the last `seconds`.
   void follow(double seconds);
-  /// The values at a time (s), a line for each.
+  /// The values at a time (s) as text, a line for each.
   QString textAt(double time) const;
-  /// What a value was at a time: the newest point that is not later; empty if there is none.
+  /// The value at a time (s): that of the newest point that is not later; empty if there is none.
   static std::optional<double> valueIn(const QCPGraphDataContainer& points, double time);
 
-  /// Writes all points, a line for each time.
+  /// Writes all points to a file, a line for each time.
   Result<void> exportTo(const std::string& file) const;
 
  private:

@@ -10,25 +10,25 @@
 
 namespace gt {
 
-/// Where a dialog appears at first.
+/// The place at which a dialog first appears.
 enum class DialogPlace { left, right, bottom, center, toolbar };
 
 class Dialog;
 
-/// What there is to know of a dialog or toolbar before it is opened. Its file registers it in one
-/// line; nothing else names it:
+/// The description of a type of dialog or toolbar. Its file registers it in one line; nothing else
+/// names it:
 ///
 ///     const RegisterDialog<FieldDialog> registeredFieldDialog{{.id = "field", ...}};
 struct DialogType {
   const char* id;           ///< In layouts.
   const char* title;        ///< In menus and as its heading.
   const char* group;        ///< The part of the menu View.
-  const char* help;         ///< What it is for, in one sentence.
+  const char* help;         ///< Its purpose, in one sentence.
   const char* report = "";  ///< The report's section about it.
   DialogPlace place = DialogPlace::right;
   bool several = false;  ///< Whether more than one may be open.
   bool atFirst = false;  ///< Whether it is open when the program starts for the first time.
-  /// Makes it. Registering sets it, unless there is a choice between several classes.
+  /// Makes a dialog. Set by the registration, unless there is a choice between several classes.
   Dialog* (*make)(SessionThread& session) = nullptr;
 };
 
@@ -37,13 +37,13 @@ class Dialog : public QWidget {
  public:
   explicit Dialog(SessionThread& session) : session_{session} {}
 
-  /// What a layout keeps of it beside its place, and the reverse. What is not understood is left
-  /// as it is.
+  /// The settings that a layout stores beside the dialog's place. `restore` applies them; invalid
+  /// settings change nothing.
   virtual QJsonObject settings() const { return {}; }
   virtual void restore(const QJsonObject&) {}
-  /// What the dialog holds that no file does; empty if there is nothing to lose.
+  /// The dialog's unsaved changes; empty if there are none.
   virtual std::optional<Unsaved> unsaved() { return std::nullopt; }
-  /// Called 25 times a second while the dialog can be seen.
+  /// Called 25 times a second while the dialog is visible.
   virtual void refresh() = 0;
 
   /// All types, sorted by group and title.

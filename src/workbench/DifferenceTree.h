@@ -16,15 +16,15 @@ inline double inSeconds(Time time) {
 
 class StripDelegate;
 
-/// Where two runs differ: a row for each representation, and below it one for each of its values,
-/// with a strip of the times at which they differ, and a time that is marked.
+/// Shows where two runs differ: a row for each representation, and below it one for each of its
+/// values, with a strip of the times at which they differ, and a marked time.
 class DifferenceTree : public QTreeWidget {
  public:
   DifferenceTree();
 
   void take(LogComparison comparison);
   const LogComparison& comparison() const { return comparison_; }
-  /// Shows rows whose names hold some letters.
+  /// Shows only rows whose names contain `letters`, and if `onlyDifferent`, that differ.
   void filter(const QString& letters, bool onlyDifferent);
   /// The value of the current row; null if there is none.
   const DifferentValue* chosenValue() const;
@@ -32,10 +32,10 @@ class DifferenceTree : public QTreeWidget {
   /// The marked time; never() if none is.
   Time markedTime() const;
   void mark(Time time);
-  /// Marks the next difference of the current row, or the one before if the direction is negative.
+  /// Marks the next difference of the current row, or the previous one if `direction` is negative.
   void goOn(int direction);
 
-  std::function<void()> chosen;  ///< Another row.
+  std::function<void()> chosen;  ///< Called when another row becomes the current one.
   std::function<void(Time)> marked;
 
  protected:
@@ -50,7 +50,7 @@ class DifferenceTree : public QTreeWidget {
   LogComparison comparison_;
   StripDelegate* strips_;
   std::vector<Time> rowTimes_;
-  int pressed_ = 0;  ///< Where, in pixels.
+  int pressed_ = 0;  ///< Where the mouse was pressed (pixels).
 };
 
 }  // namespace gt

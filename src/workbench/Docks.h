@@ -10,9 +10,8 @@
 
 namespace gt {
 
-/// The dialogs of a window, in docks and toolbars: which are open, where they are, and their
-/// settings. An open dialog's key is its type's name, with a number if there are several: image,
-/// image#2.
+/// The open dialogs of a window in docks and toolbars, with their places and settings. An open
+/// dialog's key is its type's name, with a number if there are several: image, image#2.
 class Docks {
  public:
   Docks(QMainWindow& window, SessionThread& session) : window_{window}, session_{session} {}
@@ -20,23 +19,24 @@ class Docks {
   /// Opens a dialog, or shows it if it is open and there may be one only; null if there is none of
   /// this type.
   Dialog* open(const QString& type);
-  /// Shows an open dialog before those that share its place.
+  /// Shows an open dialog in front of those that share its place.
   void bringToFront(const QString& key);
   /// An open dialog or toolbar; null if there is none.
   Dialog* dialog(const QString& key) const;
-  /// Has the dialogs that can be seen show what is new.
+  /// Refreshes the visible dialogs.
   void refresh();
   bool empty() const { return dialogs_.empty(); }
 
-  /// Which dialogs are open, where they are, and their settings.
+  /// The open dialogs with their places and settings.
   QJsonObject arrangement() const;
-  /// Restores that. Without places and sizes, dialogs go where their types belong, the first before
-  /// the others. Returns an error, and arranges the dialogs as at the first start, if it is none.
+  /// Restores an arrangement. Without places and sizes, dialogs are placed where their types
+  /// belong, the first in front of the others. If the arrangement is invalid, returns an error and
+  /// arranges the dialogs as at the first start.
   Result<void> arrange(const QJsonObject& arrangement);
   /// The arrangement of the first start.
   void arrangeAtFirst();
 
-  /// What open dialogs hold that no file does.
+  /// The unsaved changes of open dialogs.
   std::vector<Unsaved> unsaved() const;
 
  private:
@@ -48,11 +48,11 @@ class Docks {
 
   QMainWindow& window_;
   SessionThread& session_;
-  std::map<QString, QPointer<Dialog>> dialogs_;  ///< All that are open, toolbars too.
+  std::map<QString, QPointer<Dialog>> dialogs_;  ///< All open dialogs, including toolbars.
   std::map<QString, QPointer<QWidget>> frames_;  ///< Docks and toolbars, by the same keys.
 };
 
-/// What a tooltip says about a type of dialog.
+/// The tooltip of a type of dialog.
 QString helpOf(const DialogType& type);
 
 }  // namespace gt

@@ -10,7 +10,7 @@
 namespace gt {
 
 /// Adds a part to a context menu where drawings are switched on and off by their debug keys,
-/// grouped by who draws them.
+/// grouped by the modules that draw them.
 inline void addDrawingMenu(QMenu& menu, const std::vector<std::string>& known,
                            const std::vector<std::string>& shown,
                            const std::function<void(const std::string& key, bool on)>& change) {

@@ -43,7 +43,7 @@ class IconButton : public QToolButton {
   QStyle::StandardPixmap which_{};
 };
 
-/// Adds a button to a toolbar, which does `pressed` while `owner` lives.
+/// Adds a button to a toolbar, which calls `pressed` as long as `owner` exists.
 template <typename Pressed>
 IconButton* addIconButton(QLayout& toolbar, QObject& owner, const char* name,
                           QStyle::StandardPixmap which, const char* help, Pressed pressed) {

@@ -9,7 +9,7 @@
 
 namespace gt {
 
-/// Takes images of the connected robot for a dialog, five a second at most.
+/// Requests images of the connected robot for a dialog, at most five a second.
 class ImageSource {
  public:
   ImageSource(SessionThread& session, QObject& owner, std::function<void(Image)> taken)

@@ -9,20 +9,20 @@
 
 namespace gt {
 
-/// How far vision is off the labels of a log's images: a point for each thing that was found, a
-/// cross for each that was not or that is not there; over time, or over distance.
+/// Plots the errors of percepts against the labels of a log's images, over time or over distance: a
+/// point for each labeled thing that was found, a cross for each miss and each false positive.
 class LabelErrorPlot : public QCustomPlot {
  public:
   LabelErrorPlot();
 
   void setErrors(std::vector<LabelError> errors);
   void setOverDistance(bool overDistance);
-  /// How many were found and how far they are off, for each kind; empty if nothing is labeled.
+  /// Summarizes for each kind how many were found, and their errors; empty if nothing is labeled.
   QString summary() const;
   /// Writes all errors as a table (CSV).
   Result<void> exportTo(const std::string& file) const;
 
-  /// A click on an error.
+  /// Called when a person clicks on an error.
   std::function<void(const LabelError&)> clicked;
 
  protected:

@@ -13,11 +13,12 @@ class LabelSheet {
 
   explicit LabelSheet(const Image& image);
 
-  /// What vision found in the image, in pink; percepts of other images are passed over.
+  /// Adds the percepts in the image, in pink; percepts of other images are ignored.
   void addPercepts(const SeenInImage& seen);
-  /// What is labeled in the image of that number, in green.
+  /// Adds the labels of the image with a number, in green.
   void addLabels(const ImageLabels& labels, int number);
-  /// A label that is being drawn between two pixels, in white. Only balls and rectangles show.
+  /// Adds a label that is being drawn between two pixels, in white. Only balls and rectangles are
+  /// shown.
   void addUnfinished(const LabelTool& tool, const Vector2d& from, const Vector2d& to);
 
   const Sheet& sheet() const { return sheet_; }

@@ -139,7 +139,7 @@ void LayoutStore::set(const QString& name, const QJsonValue& value) {
   write();
 }
 
-/// What cannot be remembered is not: the window works all the same.
+/// Writes the settings. Errors are ignored, since the window works without saved settings.
 void LayoutStore::write() {
   static_cast<void>(writeObject(folder_ + "/settings.json", settings_));
 }

@@ -13,7 +13,7 @@ class MainMenus {
  public:
   MainMenus(MainWindow& window, SessionThread& session);
 
-  /// All that the menus offer now.
+  /// All present entries of the menus.
   QList<QAction*> commands() const;
 
  private:

@@ -10,41 +10,41 @@
 
 namespace gt {
 
-/// The window of the workbench (report 5.2, appendix J): dialogs in docks, toolbars, menus made of
-/// the dialogs that there are, a status line, and layouts.
+/// The window of the workbench (report 5.2, appendix J): dialogs in docks, toolbars, menus made
+/// from the registered types of dialogs, a status line, and layouts.
 class MainWindow : public QMainWindow {
  public:
-  /// Layouts lie in a folder; the layout that was chosen last is restored, or that of the scene.
+  /// Layouts lie in `folder`. Restores the layout that was chosen last, or that of the scene.
   MainWindow(SessionThread& session, const QString& folder);
 
   /// Opens a dialog, or shows it if it is open and there may be one only; null if there is none of
   /// this type.
   Dialog* open(const QString& type) { return docks_.open(type); }
-  /// Shows an open dialog before those that share its place.
+  /// Shows an open dialog in front of those that share its place.
   void bringToFront(const QString& key) { docks_.bringToFront(key); }
   /// An open dialog or toolbar by type and number, such as image and image#2; null if there is
   /// none.
   Dialog* dialog(const QString& key) const { return docks_.dialog(key); }
 
-  /// Which dialogs are open, where they are, and their settings.
+  /// The open dialogs with their places and settings.
   QJsonObject arrangement() const { return docks_.arrangement(); }
-  /// Restores that. Returns an error, and arranges the dialogs as at the first start, if it is
-  /// none.
+  /// Restores an arrangement. If it is invalid, returns an error and arranges the dialogs as at the
+  /// first start.
   Result<void> arrange(const QJsonObject& arrangement);
   /// The arrangement of the first start.
   void arrangeAtFirst();
 
   LayoutStore& layouts() { return layouts_; }
-  /// Restores a saved layout, and remembers it as the one to start with.
+  /// Restores a saved layout, which is also restored at the next start.
   Result<void> chooseLayout(const QString& name);
   Result<void> saveLayout(const QString& name);
 
-  /// What another layout would lose: what dialogs hold, and changes of this layout.
+  /// The unsaved changes that are lost with another layout: those of dialogs, and of this layout.
   std::vector<Unsaved> unsavedOnLayoutChange();
-  /// What is lost when the window is closed: that, and recordings.
+  /// The unsaved changes that are lost when the window is closed: also recordings.
   std::vector<Unsaved> unsaved();
 
-  /// All that the menus offer.
+  /// All entries of the menus.
   QList<QAction*> commands() const { return menus_.commands(); }
   /// File name of the scene that is shown.
   const QString& scene() const { return scene_; }

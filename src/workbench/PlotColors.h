@@ -8,8 +8,8 @@ namespace gt {
 /// Gives a plot the colors of the window.
 void setPlotColors(QCustomPlot& plot, const QPalette& palette);
 
-/// Gives the legend a font so small that all of it can be seen, and a place where curves are
-/// oldest.
+/// Reduces the legend's font until all of it is visible, and places it over the oldest part of the
+/// curves.
 void keepLegendInside(QCustomPlot& plot);
 
 }  // namespace gt

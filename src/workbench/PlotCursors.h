@@ -6,16 +6,16 @@
 
 namespace gt {
 
-/// Two lines in a plot over time that are dragged, and a table of the values there.
+/// Two cursor lines in a plot over time, which can be dragged, and a table of the values there.
 class PlotCursors : public QTreeWidget {
  public:
   explicit PlotCursors(CurvePlot& plot);
 
-  /// Shows them within what the plot shows, or hides them.
+  /// Shows the cursors within the visible range of the plot, or hides them.
   void setOn(bool on);
-  /// Takes hold of the cursor at a place of the plot; false if there is none.
+  /// Grabs the cursor at a place of the plot (pixels); false if there is none.
   bool hold(const QPoint& at);
-  /// Drags the cursor that is held; false if none is.
+  /// Drags the grabbed cursor to a place (pixels); false if none is grabbed.
   bool drag(const QPoint& at);
   void letGo() { held_ = nullptr; }
   void showValues();

@@ -7,9 +7,8 @@
 
 namespace gt {
 
-/// New points of values that are plotted: of those that the session records (console command plot),
-/// and of what modules plot. A plot of a robot is named by the robot and its debug key:
-/// red1 BallLocator/speed.
+/// New points of plotted values: those that the session records (console command plot), and plots
+/// of modules. A plot of a module is named by the robot and the debug key: red1 BallLocator/speed.
 struct PlottedValues {
   struct Points {
     std::string name;
@@ -18,15 +17,15 @@ struct PlottedValues {
   Time now;
   std::vector<Points> points;
 
-  /// The points behind the last known one of each value.
+  /// The points of each value that are newer than the last known one.
   static PlottedValues since(Console& console, const std::map<std::string, Time>& known);
 };
 
-/// The names of all that can be plotted.
+/// The names of all values that can be plotted.
 std::vector<std::string> plottableNames(Console& console);
 
-/// The name of a value for good: what the connected robot has begins with that robot's name. An
-/// error if it is no number.
+/// The name of a value independent of the selection: values of the connected robot begin with its
+/// name. An error if the value is no number.
 Result<std::string> plottableName(Console& console, const std::string& name);
 
 }  // namespace gt

@@ -4,7 +4,7 @@
 
 namespace gt {
 
-/// Adds a button with a text to a dialog, which does `pressed` while `owner` lives.
+/// Adds a button with a text to a dialog, which calls `pressed` as long as `owner` exists.
 template <typename Pressed>
 void addPushButton(QLayout& row, QObject& owner, const char* name, const char* text,
                    const char* help, Pressed pressed) {

@@ -6,7 +6,7 @@
 
 namespace gt {
 
-/// Paints a sheet by Qt: in windows, at any size.
+/// Paints a sheet by Qt, in windows at any size.
 class QtPainter : public SheetPainter {
  public:
   explicit QtPainter(QPainter& painter) : painter_{painter} {}
@@ -27,7 +27,7 @@ inline QColor qColor(const Color& color) {
   return {color.r, color.g, color.b, color.a};
 }
 
-/// The same pixels, which must outlive it.
+/// Wraps an image without a copy; `picture` must outlive the result.
 inline QImage wrapped(const RgbImage& picture) {
   return {picture.pixels.data(), picture.width, picture.height, 3 * picture.width,
           QImage::Format_RGB888};

@@ -8,7 +8,7 @@
 
 namespace gt {
 
-/// Adds a part to a context menu where the robot is chosen that a viewer always shows; empty: the
+/// Adds a part to a context menu to choose the robot that a viewer always shows; empty: the
 /// connected one.
 inline void addRobotMenu(QMenu& menu, const SessionThread& session, const std::string& chosen,
                          const std::function<void(const std::string& robot)>& choose) {

@@ -7,7 +7,7 @@
 namespace gt {
 
 /// Sends a value, such as a part of the configuration, to the connected robots, which use it at
-/// once. `what` names it in the console.
+/// once. The console prints it under the name `what`.
 template <typename T>
 void sendToRobots(SessionThread& session, T value, std::string what) {
   session.change([value = std::move(value), what = std::move(what)](Console& console) {

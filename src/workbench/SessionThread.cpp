@@ -12,25 +12,25 @@ namespace {
 using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
-/// How long time passes at most before commands and questions are looked at, how long questions
-/// may take at a time, and how often they are answered while a command is executed.
+/// Longest time that passes before commands and questions are processed, longest time for answering
+/// questions at once, and interval at which they are answered while a command is executed.
 constexpr milliseconds updateTime{10}, answerTime{20}, answerInterval{15}, restTime{20};
 /// Time passes this many times as long as questions have taken, so that they cannot stop it.
 constexpr int shareOfTime = 2;
-/// A supply is made after so much of the session's time; and after so much real time, if time
-/// passes slowly or stands. Between two of them lies this much real time, less if the session keeps
-/// to real time; a supply that no one has asked for so long is not made, nor one of which so many
-/// are not shown yet.
+/// A supply is made after `supplyInterval` of the session's time, and after `slowInterval` of real
+/// time if time passes slowly or stands. The least real time between two of them is `fastInterval`,
+/// or `leastInterval` if the session keeps to real time. A supply is not made if it was not renewed
+/// for `lease`, or if `mostUnseen` results are not shown yet.
 constexpr std::int64_t supplyInterval = 40;  // ms
 constexpr milliseconds slowInterval{60}, fastInterval{40}, leastInterval{8}, lease{500};
 constexpr int mostUnseen = 4;
-/// What takes much processor time rests this many times as long, so that it does not hold up time
-/// and the others.
+/// A supply that takes much processor time rests this many times as long, so that it does not delay
+/// the session and other supplies.
 constexpr int restFactor = 5;
 constexpr milliseconds speedInterval{1000};
 constexpr std::size_t mostLines = 10000;
 
-/// Processor time of this thread: what else runs on the machine does not count.
+/// Processor time of this thread, which does not include other programs and threads.
 std::chrono::nanoseconds processorTime() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -220,8 +220,7 @@ void SessionThread::stepped() {
   answer();
 }
 
-/// Executes a line on the session's thread.
-/// Executes a line for some robots, or for the selected ones.
+/// Executes a line on the session's thread, for some robots or for the selected ones.
 Result<void> SessionThread::perform(const std::string& line, bool quiet,
                                     const std::optional<std::vector<std::string>>& robots) {
   {

@@ -20,7 +20,7 @@
 
 namespace gt {
 
-/// A robot as a window lists it.
+/// The data about a robot for the lists of a window.
 struct RobotInfo {
   std::string name;
   RobotKind kind = RobotKind::simulated;
@@ -29,13 +29,13 @@ struct RobotInfo {
   bool selected = false;
 };
 
-/// What was recorded of a robot and not saved.
+/// An unsaved recording of a robot.
 struct RecordingInfo {
   std::string robot;
   std::uint64_t messages = 0;
 };
 
-/// Where the log is that a robot runs on.
+/// The present position of a log that a robot runs on.
 struct LogPlace {
   std::string robot, file;
   bool playing = false, loop = false;
@@ -44,12 +44,12 @@ struct LogPlace {
   std::uint64_t message = 0, messages = 0;
 };
 
-/// What a window shows of a session at any time.
+/// The status of a session for a window.
 struct SessionStatus {
   Time time;
   bool started = false;
-  double pace = 0;   ///< Times real time at most; 0: as fast as it goes.
-  double speed = 0;  ///< Simulated time by real time, over the last second.
+  double pace = 0;   ///< Greatest multiple of real time; 0: as fast as possible.
+  double speed = 0;  ///< Simulated time divided by real time, over the last second.
   bool gameOver = false;
   GameState state = GameState::initial;
   std::array<int, 2> score{};
@@ -61,36 +61,37 @@ struct SessionStatus {
   std::optional<LogPlace> log;  ///< Of the first selected robot that runs on a log.
 };
 
-/// A session and its console on a thread of their own, so that a window stays responsive whatever
-/// they do. The window executes command lines, and asks: what it asks is answered between two
-/// steps, also while a command such as `run` is executed.
+/// A session and its console on a thread of their own, so that a window stays responsive. The
+/// window executes command lines, and asks questions, which are answered between two steps, even
+/// while a command such as `run` is executed.
 class SessionThread {
  public:
   using Done = std::function<void(const Result<void>&)>;
 
-  /// `foxglove` is where viewers connect (Session::serveFoxglove).
+  /// `foxglove` is the access for viewers (Session::serveFoxglove).
   static Result<std::unique_ptr<SessionThread>> make(const MatchOptions& options,
                                                      const FoxgloveAccess& foxglove = {});
-  ~SessionThread();  ///< Interrupts what is executed.
-  /// For a program that a signal ends: ends the thread, too, and calls Console::keepRecordings().
+  ~SessionThread();  ///< Interrupts the running command.
+  /// To be called when a signal ends the program: ends the thread, and calls
+  /// Console::keepRecordings().
   std::vector<Result<std::string>> end();
   SessionThread(const SessionThread&) = delete;
   SessionThread& operator=(const SessionThread&) = delete;
 
-  /// Where the data lie.
+  /// The root of the data files.
   const DataRoot& root() const { return root_; }
 
-  /// Executes a command line behind those that were given before. The line and its error are
-  /// printed. `done` is called in the window's thread, unless `receiver` is gone by then; with an
+  /// Executes a command line after those that are already queued. The line and its error are
+  /// printed. `done` is called on the window's thread, unless `receiver` is gone by then; with an
   /// error if the line was discarded.
   void execute(std::string line, QObject* receiver = nullptr, Done done = {});
-  /// The same for one robot, whatever robots are selected.
+  /// As `execute`, for one robot, independent of the selection.
   void executeFor(std::string robot, std::string line, QObject* receiver = nullptr, Done done = {});
-  /// Executes a line that no one typed: only its error is printed, and nothing discards it.
+  /// Executes a line that no person typed: only its error is printed, and it is never discarded.
   void executeQuietly(std::string line);
   /// Executes the scene's start script.
   void callStartScript();
-  /// Does something between two commands: it may change the session.
+  /// Calls `work` on the session's thread between two commands; it may change the session.
   void change(std::function<void(Console&)> work);
   /// Calls `work` with the console on the session's thread, and then `show` with the result on the
   /// window's thread, unless `receiver` is gone by then. `work` must not let time pass.
@@ -104,22 +105,22 @@ class SessionThread {
       });
     });
   }
-  /// What is made again and again for a window, on the session's thread.
+  /// Data that are made repeatedly for a window, on the session's thread.
   class Supply {
    public:
-    /// To be called while what is made can be seen: without that it is not made.
+    /// To be called while the data are visible; otherwise they are not made.
     void renew() { renewed_ = std::chrono::steady_clock::now(); }
 
    private:
     friend SessionThread;
     std::function<void(Console&, const std::shared_ptr<Supply>&)> make_;
     std::atomic<std::chrono::steady_clock::time_point> renewed_ = std::chrono::steady_clock::now();
-    std::atomic<int> unseen_ = 0;  ///< How often it was made and is not shown yet.
-    std::uint64_t version_ = 0;    ///< From here on: when it was made last.
+    std::atomic<int> unseen_ = 0;  ///< Number of results that are not shown yet.
+    std::uint64_t version_ = 0;    ///< From here on: when the data were made last.
     Time time_;
     std::chrono::steady_clock::time_point made_, rest_;  ///< Until when it is not made again.
   };
-  /// Calls `work` and `show` as `ask` does, again and again as things change, for as long as the
+  /// Calls `work` and `show` as `ask` does, repeatedly as the session changes, for as long as the
   /// supply exists: in real time after each 40 ms of the session's time, so that none of a camera's
   /// images is left out.
   template <typename Work, typename Show>
@@ -138,24 +139,24 @@ class SessionThread {
     newSupplies_.push_back(made);
     return made;
   }
-  /// Ends a command that lets time pass after its current step, and discards the command lines
-  /// behind it.
+  /// Ends a command that lets time pass after its current step, and discards the queued command
+  /// lines.
   void interrupt();
-  /// Whether a command is executed, or waits for that.
+  /// Whether a command is executed or queued.
   bool busy() const { return busy_; }
   /// The command line that is executed; empty if none is.
   std::string current() const;
 
   /// A copy of the newest status.
   SessionStatus status() const;
-  /// Grows with each step and each command: what a window shows may have changed.
+  /// Increases with each step and each command, after which a window's content may have changed.
   std::uint64_t version() const { return version_; }
-  /// The lines that were printed since `seen` were, which is moved on; some are missing if they
-  /// were too many. A line "\f" clears what was before.
+  /// The lines that were printed after the first `seen` ones; advances `seen`. Old lines are
+  /// missing if there were too many. A line "\f" clears the lines before it.
   std::vector<std::string> linesSince(std::uint64_t& seen) const;
-  /// How many lines were printed so far.
+  /// The number of lines printed so far.
   std::uint64_t printed() const;
-  /// Commands that were offered to the user since this was called last (console command echo).
+  /// Commands that were offered to the user since the last call (console command echo).
   std::vector<std::string> takeOffers();
   /// Whether the session was ended by the command exit.
   bool ended() const { return exited_; }
@@ -179,7 +180,7 @@ class SessionThread {
   std::optional<T> take(std::deque<T>& queue);
   /// Answers questions, as long as there are any, for a limited time.
   void answer();
-  /// Makes what is due to be made again.
+  /// Makes the supplies that are due.
   void makeSupplies();
   void stepped();
   void select();

@@ -12,40 +12,40 @@ class QMenu;
 
 namespace gt {
 
-/// Shows a sheet as large as there is room. The wheel zooms to where the pointer is, dragging moves
-/// it, a double click shows the whole again; Ctrl+C and the context menu copy it.
+/// Shows a sheet as large as possible. The wheel zooms to the pointer, dragging moves the sheet, a
+/// double click shows the whole again; Ctrl+C and the context menu copy it.
 class SheetWidget : public QWidget {
  public:
   explicit SheetWidget(QWidget* parent = nullptr);
 
   void showSheet(std::shared_ptr<const Sheet> sheet);
-  /// Shows a text instead, such as why there is no sheet.
+  /// Shows a text instead of a sheet, such as the reason why there is none.
   void showText(const QString& text);
-  /// Shows sheets as pages of text: from their top on, as wide as there is room but large enough to
-  /// be read. The wheel and dragging move what does not fit; the wheel zooms with Ctrl.
+  /// Shows sheets as pages of text: from their top on, fitted to the width but large enough to be
+  /// read. The wheel and dragging scroll pages that do not fit; the wheel zooms with Ctrl.
   void showPages() { pages_ = true; }
   const Sheet* sheet() const { return sheet_.get(); }
-  /// Whether the sheet was given, and is not painted yet although it can be seen.
+  /// Whether the sheet was set, and is not painted yet although it is visible.
   bool waitsForPainting() const { return unpainted_ && !visibleRegion().isEmpty(); }
   /// Called after each painting.
   std::function<void()> painted;
   const QString& text() const { return text_; }
 
-  /// The text beside the pointer for a place on the sheet; empty: none.
+  /// Returns the text beside the pointer for a place on the sheet; empty: none.
   std::function<QString(const QPointF&)> placeText;
   /// Adds to the context menu of a place on the sheet, before its general part.
   std::function<void(QMenu&, const QPointF&)> addActions;
-  /// Dragging by so many pixels, instead of moving the sheet.
+  /// If set, called with the pixels by which the mouse is dragged, instead of moving the sheet.
   std::function<void(const QPointF&)> dragged;
-  /// Turning the wheel by so many steps, instead of zooming.
+  /// If set, called with the steps by which the wheel is turned, instead of zooming.
   std::function<void(double)> wheeled;
 
-  /// Clicking on a place of the sheet with the left or right button, instead of dragging and of the
-  /// context menu.
+  /// If set, called with a place on the sheet that is clicked with the left or right button,
+  /// instead of dragging and of the context menu.
   std::function<void(const QPointF&, Qt::MouseButton)> clicked;
 
-  /// Dragging with the left button from a place of the sheet to another, instead of moving the
-  /// sheet; `done` when the button is let go.
+  /// If set, called when the mouse is dragged with the left button from a place of the sheet to
+  /// another, instead of moving the sheet; `done` when the button is released.
   std::function<void(const QPointF& from, const QPointF& to, bool done)> drawn;
 
   void copyImage() const;
@@ -53,7 +53,7 @@ class SheetWidget : public QWidget {
   QImage image(double scale) const;
 
   QSize sizeHint() const override;
-  /// Where a point of the widget lies on the sheet.
+  /// The place on the sheet of a point of the widget (pixels).
   QPointF toSheet(const QPointF& point) const;
 
  protected:

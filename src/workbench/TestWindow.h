@@ -17,8 +17,8 @@
 
 namespace gt {
 
-/// A window on a scene of one or more robots, driven by its widgets. Effects are looked for on the
-/// side of the session and its robots, not on the widgets'.
+/// A window on a scene of one or more robots, driven by its widgets. Tests check the effects in the
+/// session and its robots, not in the widgets.
 class WindowTest : public ::testing::Test {
  protected:
   explicit WindowTest(const std::string& scene = "scenes/match.scene",
@@ -44,7 +44,7 @@ class WindowTest : public ::testing::Test {
   static bool until(Condition condition, int ms = patience) {
     return QTest::qWaitFor(condition, ms);
   }
-  /// What the session's thread finds. Ends the test if it never answers.
+  /// The result of `work` on the session's thread. Ends the test if there is no answer.
   template <typename Work>
   auto on(Work work) {
     std::optional<decltype(work(std::declval<Console&>()))> result;
@@ -61,7 +61,7 @@ class WindowTest : public ::testing::Test {
       return found ? found->text : "error: " + found.error().text();
     });
   }
-  /// Executes a line and waits for its end. Ends the test if it never does.
+  /// Executes a line and waits for its end. Ends the test if the line never ends.
   Result<void> execute(const std::string& line) {
     std::optional<Result<void>> result;
     QObject receiver;
@@ -72,8 +72,8 @@ class WindowTest : public ::testing::Test {
   }
   /// Waits until all commands were executed that were given so far.
   void finish() { EXPECT_TRUE(execute("# all is done")); }
-  /// Answers the next question for a file with this one, again until it takes the answer: at first
-  /// it may not know its folder yet.
+  /// Answers the next file dialog with `file`, repeatedly until the dialog accepts it: at first it
+  /// may not know its folder yet.
   void answerWith(const std::string& file) {
     answers_.disconnect();
     QObject::connect(&answers_, &QTimer::timeout, [this, file] {

@@ -3,10 +3,10 @@
 
 namespace gt {
 
-/// How the workbench looks.
+/// The color schemes of the workbench.
 enum class Theme { light, dark };
 
-/// Gives all windows the look.
+/// Applies a color scheme to all windows.
 void setTheme(Theme theme);
 
 }  // namespace gt

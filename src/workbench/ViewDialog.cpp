@@ -11,9 +11,9 @@
 namespace gt {
 namespace {
 
-/// How often a viewer looks why drawings do not come.
+/// Interval at which a viewer checks why drawings are missing.
 constexpr qint64 hintInterval = 1000;  // ms
-/// How long a sheet can be seen at least if others wait, and how many of them may.
+/// Shortest time for which a sheet is shown if others wait, and how many of them may wait.
 constexpr int leastShown = 15;  // ms
 constexpr std::size_t mostWaiting = 5;
 

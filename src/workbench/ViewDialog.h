@@ -16,7 +16,7 @@ class QMenu;
 namespace gt {
 
 /// A dialog that shows a view (views/View.h) of the connected robot, or of one that is chosen by
-/// the context menu, again and again while something changes. The view is made into a sheet on the
+/// the context menu, and repaints it when the session changes. The view's sheet is made on the
 /// session's thread, and painted on the window's.
 class ViewDialog : public Dialog {
  public:
@@ -35,25 +35,25 @@ class ViewDialog : public Dialog {
   void setView(std::shared_ptr<const View> view);
   /// The view's own parameters.
   void setNumbers(std::vector<double> numbers);
-  /// Debug keys that are switched on for the robot that is shown.
+  /// Sets the debug keys that are switched on for the robot that is shown.
   void setKeys(std::vector<std::string> keys);
   void showKey(const std::string& key, bool on);
   const std::vector<std::string>& keys() const { return keys_; }
   /// Adds to the context menu of a place on the sheet.
   virtual void addActions(QMenu&, const QPointF&) {}
-  /// What the robot that is shown can be asked to draw.
+  /// The debug keys of the drawings that can be requested from the robot that is shown.
   const std::vector<std::string>& knownKeys() const { return knownKeys_; }
 
  private:
-  /// For which robot which keys were switched on, and what hinders drawings. Used by the session's
-  /// thread only.
+  /// The robot and keys that were switched on, and the reasons for missing drawings. Used by the
+  /// session's thread only.
   struct Prepared {
     const void* robot = nullptr;
     std::uint64_t beginnings = 0;
     std::vector<std::string> keys, known;
     std::vector<std::shared_ptr<const void>> shown;  ///< Keeps the keys on.
     std::vector<DrawingHint> hints;
-    QElapsedTimer looked;  ///< For them.
+    QElapsedTimer looked;  ///< Since `hints` were updated.
   };
   struct Answer {
     std::shared_ptr<const Sheet> sheet{};
@@ -69,17 +69,17 @@ class ViewDialog : public Dialog {
   void showHints(const Answer& answer);
 
   SheetWidget* sheet_;
-  QLabel* hint_;                    ///< Why drawings do not come.
-  std::vector<DrawingHint> hints_;  ///< That it shows,
-  std::string hinted_;              ///< of this robot.
+  QLabel* hint_;                    ///< Shows why drawings are missing.
+  std::vector<DrawingHint> hints_;  ///< That `hint_` shows.
+  std::string hinted_;              ///< The robot of `hints_`.
   std::shared_ptr<const View> view_;
   std::vector<double> numbers_;
   std::vector<std::string> keys_, knownKeys_;
   std::string robot_;
   std::shared_ptr<Prepared> prepared_ = std::make_shared<Prepared>();
-  std::shared_ptr<SessionThread::Supply> supply_;  ///< Null: what is shown has changed.
-  std::deque<Answer> waiting_;                     ///< For the one before to be painted.
-  QTimer next_;                                    ///< Shows the next of them.
+  std::shared_ptr<SessionThread::Supply> supply_;  ///< Null if it has to be requested anew.
+  std::deque<Answer> waiting_;                     ///< Wait until the previous one is painted.
+  QTimer next_;                                    ///< Shows the next one of `waiting_`.
 };
 
 /// A built-in view by its name.

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The report's name of the behavior that plays.
+/// The report's name of the behavior that plays soccer.
 constexpr std::string_view reportBehavior = "gt03";
 
 /// The agents files of the root's folder behavior/, without extension.

@@ -67,7 +67,7 @@ std::vector<std::string> robotsOf(Console& console, QueueName queue) {
   return names;
 }
 
-/// to and from: a robot command for the robots of a message queue, whatever is selected.
+/// to and from: a robot command for the robots of a message queue, independent of the selection.
 Result<void> withQueue(Console& console, const Words& words) {
   const auto queue = queueOf(words[0], words[1]);
   const Command* command = Console::find(words[2]);

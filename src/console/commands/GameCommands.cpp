@@ -5,7 +5,7 @@
 namespace gt {
 namespace {
 
-/// Sends robots that run elsewhere what a game manager would send them.
+/// Sends remote robots the data that a game manager would send them.
 Result<void> sendElsewhere(Console& console, GameState state, std::optional<TeamColor> kickOff,
                            std::array<int, 2> score) {
   for (const auto& known : console.session().robots()) {

@@ -58,7 +58,7 @@ Result<void> setScheme(Console& console, JoystickSchemeKind kind) {
   });
 }
 
-/// Sends the selected robots what the scheme asks otherwise than before.
+/// Sends the selected robots the scheme's requests that have changed.
 Result<void> followScheme(Console& console) {
   const auto changes = console.joystickScheme()->takeChanges();
   return console.forEachRobot([&](ConsoleRobot& robot) -> Result<void> {
@@ -78,7 +78,7 @@ Result<void> followScheme(Console& console) {
   });
 }
 
-/// Controls the selected robots by the present axes.
+/// Controls the selected robots by the present state of the axes.
 Result<void> moveRobots(Console& console) {
   if (console.joystickScheme()) return followScheme(console);
   const Time now = console.session().time();

@@ -73,7 +73,7 @@ Result<void> transfer(Console& console, ConsoleRobot& robot, const Words& words)
   return {};
 }
 
-/// What `lp` does with one robot on a log.
+/// Executes `lp` for one robot on a log.
 Result<void> playLog(Console& console, ConsoleRobot& robot, const Words& words) {
   LogRobot& log = *robot.onLog();
   const auto take = [&](const MessageQueue& messages) { robot.take(messages); };

@@ -25,7 +25,7 @@ Result<void> sendSequence(Console& console, JointDataSequence sequence) {
   });
 }
 
-/// The file of that path, or the motion description of that name in a folder.
+/// The file with a path, or the motion description with a name in a folder.
 std::string fileOf(const std::string& word, const std::string& folder) {
   namespace fs = std::filesystem;
   if (fs::exists(word)) return word;
@@ -55,8 +55,8 @@ Result<void> executeMof(Console& console, const Words& words, bool loop) {
   return sendSequence(console, *sequence);
 }
 
-/// The line of a motion description that brings the joints to where they are. What is measured may
-/// lie a little beyond what can be commanded.
+/// The line of a motion description that moves the joints to their present angles. Measured angles
+/// may lie slightly beyond those that can be commanded.
 std::string lineOf(const JointAngles& joints) {
   std::string line;
   const auto limits = motionRules().joints;

@@ -9,7 +9,7 @@
 namespace gt {
 namespace {
 
-/// The report's names of kicks that have another one here.
+/// The report's names of kicks that have other names here.
 constexpr std::pair<std::string_view, std::string_view> reportActions[] = {
     {"leftHeadKick", "hookLeft"},
     {"rightHeadKick", "hookRight"},
@@ -23,7 +23,7 @@ std::vector<std::string> motionNames(const MotionNet& motions) {
   return names;
 }
 
-/// What a motion's name asks for; a walk still needs its speeds.
+/// The motion request for a motion's name; for a walk, without its speeds.
 std::optional<MotionRequest> motionOf(std::string_view name, const MotionNet& motions) {
   for (const auto& [report, here] : reportActions)
     if (report == name) name = here;
@@ -42,7 +42,7 @@ std::optional<MotionRequest> motionOf(std::string_view name, const MotionNet& mo
   return request;
 }
 
-/// Commands of a person last while nobody else decides.
+/// Warns if BehaviorControl is enabled, since its requests then replace a person's commands.
 void warnIfDecided(Console& console, ConsoleRobot& robot) {
   const auto task = robot.observed().task("BehaviorControl");
   if (!task || (*task)->active == SolutionTable::disabled) return;

@@ -17,8 +17,8 @@
 namespace gt {
 namespace {
 
-/// Solutions of the report (chapter 3's table) by the tasks that it names: its scripts may name
-/// them, also where this system lacks one.
+/// Solutions of the report (chapter 3's table) by the report's names of their tasks. Its scripts
+/// may name them even if this system lacks them.
 constexpr std::pair<std::string_view, std::string_view> reportSolutions[] = {
     {"ImageProcessor", "GridImageProcessor2"},
     {"ImageProcessor", "GridImageProcessor3"},
@@ -43,8 +43,8 @@ bool inReport(std::string_view task, std::string_view solution) {
   });
 }
 
-/// What the report's debug keys ask for today (I.3.3, I.6): debug keys, or representations that are
-/// sent. Besides, send and the name of a representation asks for it.
+/// The meaning of the report's debug keys (I.3.3, I.6): debug keys of this system, or
+/// representations that are sent. Besides, "send" and the name of a representation requests it.
 struct ReportKey {
   std::string_view name;
   std::vector<std::string> keys;
@@ -232,7 +232,7 @@ Result<void> sr(Console& console, const Words& words) {
       [&](ConsoleRobot& robot) { return switchSolution(console, robot, words[1], words[2]); });
 }
 
-/// Where generic debug data can go: each task, and each of its solutions.
+/// The possible receivers of generic debug data: each task, and each of its solutions.
 std::vector<std::string> idNames(Console& console, const Words& before) {
   if (before.size() > 1) return {};
   std::vector<std::string> names{"?"};

@@ -16,13 +16,13 @@ namespace {
 
 constexpr double mostRuns = 100'000;
 
-/// A console that nobody looks at.
+/// A screen that discards its output.
 class NoScreen : public Screen {
  public:
   void print(std::string_view) override {}
 };
 
-/// How one of many runs ended.
+/// The result of one of many runs.
 struct Outcome {
   int run = 0;  ///< From 1.
   std::uint64_t seed = 0;
@@ -32,8 +32,8 @@ struct Outcome {
   Vector2d ball = Vector2d::Zero();
 };
 
-/// What is run many times: the scene with other seeds and all that was done to this simulation, at
-/// the times when it was done.
+/// The simulation that is run many times: the scene with other seeds, and all interventions in this
+/// simulation at their times.
 struct Series {
   MatchOptions options;
   std::vector<Intervention> history;
@@ -99,13 +99,14 @@ Result<Outcome> runOnce(const Series& series, int index) {
   return outcome;
 }
 
-/// What became of many runs.
+/// The results of many runs.
 struct Outcomes {
   std::vector<Outcome> ended;  ///< In the order of their seeds.
   std::optional<Error> error;  ///< After which no more were begun.
 };
 
-/// The runs, spread over the threads; their order does not depend on that.
+/// Executes the runs, distributed over the threads; the order of the results does not depend on
+/// that.
 Outcomes runAll(const Series& series) {
   Outcomes all;
   std::mutex mutex;  // of the error
@@ -186,7 +187,7 @@ std::string formatted(const char* format, Values... values) {
   return text;
 }
 
-/// Commands that put up what is on the field now: game, robots and balls.
+/// Commands that restore the present situation: game, robots and balls.
 std::string situationOf(Console& console) {
   Session& session = console.session();
   Simulation& simulation = session.simulation();

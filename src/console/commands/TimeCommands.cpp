@@ -14,11 +14,11 @@
 namespace gt {
 namespace {
 
-/// Longest that until waits without a word, in simulated seconds.
+/// Longest time (simulated s) for which `until` waits if none is stated.
 constexpr double untilAtMost = 600;
 constexpr double longest = 1e6;  // s
 
-/// A duration behind a command: 30, 30 s, 30s, 500 ms, 2 min or 10 steps; in ms.
+/// Parses a duration behind a command: 30, 30 s, 30s, 500 ms, 2 min or 10 steps. Returns it in ms.
 Result<std::int64_t> durationOf(const Words& words) {
   std::string digits = words[1], unit = "s";
   if (words.size() == 3) {
@@ -84,7 +84,7 @@ Result<void> stop(Console& console, const Words&) {
   return {};
 }
 
-/// How time passes now, as a line that sets it.
+/// The present pace of time, as a command that sets it.
 std::string paceLine(const Pace& pace) {
   if (pace.slowness > 0) return "st off " + numberText(pace.slowness);
   return pace.factor > 0 ? "st on " + numberText(pace.factor) : "st on";
@@ -114,7 +114,7 @@ Result<void> st(Console& console, const Words& words) {
   return {};
 }
 
-/// The condition that a line holds, and the seconds behind its last `within`, if any.
+/// The condition in a line, and the seconds behind its last `within`, if any.
 struct Waiting {
   Condition condition;
   double seconds = untilAtMost;
@@ -151,7 +151,7 @@ Result<void> until(Console& console, const Words& words) {
   return Error{.field = "until", .what = "did not come true: " + words.rest};
 }
 
-/// Restarts as the program begins: with the scene's script (report I.4).
+/// Restarts the session as at the program's start: with the scene's script (report I.4).
 Result<void> restart(Console& console, const MatchOptions& options) {
   if (auto done = console.session().restart(options); !done) return done;
   console.forget();

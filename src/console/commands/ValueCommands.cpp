@@ -19,13 +19,13 @@ Result<void> expect(Console& console, const Words& words) {
   return Error{.field = "expect", .what = "does not hold: " + words.rest};
 }
 
-/// How an object of the scene is written in values and conditions.
+/// The notation of an object of the scene in values and conditions.
 std::string dotted(std::string path) {
   std::ranges::replace(path, '/', '.');
   return path;
 }
 
-/// Values, parameters and objects of the scene whose names begin so.
+/// Prints the values, parameters and objects of the scene whose names begin with `begin`.
 void listValues(Console& console, const std::string& begin) {
   const auto list = [&](const std::string& name, const std::string& more, std::string_view doc) {
     if (name.starts_with(begin))

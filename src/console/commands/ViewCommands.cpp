@@ -27,7 +27,7 @@ Result<std::shared_ptr<const View>> viewOf(Console& console, const std::string& 
       .what = "there is no such view; try picture ?" + suggestion(name, viewNames(console, {}))};
 }
 
-/// The numbers that end a line.
+/// The numbers at the end of a line.
 Result<std::vector<double>> numbersOf(const Words& words, std::size_t first) {
   std::vector<double> numbers;
   for (std::size_t i = first; i < words.size(); ++i) {
@@ -124,7 +124,7 @@ Result<void> film(Console& console, const Words& words) {
                                       *numbers);
 }
 
-/// view NAME image|field ELEMENT…: a view by the list of what is painted (report I.3.3).
+/// view NAME image|field ELEMENT…: defines a view by the list of its elements (report I.3.3).
 Result<void> defineView(Console& console, const std::string& name, const Words& words) {
   const bool image = words[2] == "image";
   const auto& parts = image ? imageViewElements : fieldViewElements;

@@ -43,7 +43,7 @@ std::vector<std::string> thingNames(Console& console, const Words& before) {
   return names;
 }
 
-/// What is behind a command with ? alone.
+/// Prints the possible names if a command has only ? as its argument; returns whether it has.
 bool asked(Console& console, const Words& words, const std::vector<std::string>& names) {
   if (words[1] != "?") return false;
   list(console, names);

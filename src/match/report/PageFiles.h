@@ -1,7 +1,7 @@
 #pragma once
 #include <string_view>
 
-/// The files that the report page is made of, embedded when the program is built.
+/// The files of the report page, embedded when the program is built.
 namespace gt::page {
 
 std::string_view html();

@@ -17,15 +17,15 @@
 namespace gt {
 namespace {
 
-/// A longer match is drawn with so many samples of each robot.
+/// Greatest number of samples of each robot that are drawn, also for longer matches.
 constexpr std::size_t maxSamples = 1800;
 
 std::string textOf(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// An object as text that people can read and compare line by line: a field a line, and of lists an
-/// element a line.
+/// An object as text that people can read and compare line by line: one field a line, and one
+/// element of a list a line.
 std::string linesOf(const Json& object) {
   std::string text = "{";
   for (const auto& [name, value] : object.items()) {
@@ -75,7 +75,7 @@ std::string htmlSafe(std::string_view text) {
   return safe;
 }
 
-/// Whole numbers are precise enough to draw, and short; what is not finite becomes null.
+/// Rounds to a whole number, which is precise enough to draw, and short; null if it is not finite.
 Json rounded(double value, double factor = 1) {
   const double scaled = value * factor;
   return std::abs(scaled) < 1e15 ? Json(std::llround(scaled)) : Json();
@@ -139,7 +139,7 @@ Json picturesOf(const std::vector<ReportPicture>& pictures) {
   return list;
 }
 
-/// All that the page shows, as its scripts read it.
+/// All data of the page, in the format that its scripts read.
 Json pageData(const MatchSummary& summary, const MatchTimes& times,
               const std::vector<ReportPicture>& pictures, const FieldDimensions& field) {
   std::size_t longest = summary.ball.size();
@@ -162,7 +162,7 @@ Json pageData(const MatchSummary& summary, const MatchTimes& times,
               {"pictures", picturesOf(pictures)}};
 }
 
-/// A template with each @NAME@ replaced; what is put in is not looked through again.
+/// A template with each @NAME@ replaced; the inserted texts are not searched again.
 std::string filled(std::string_view page,
                    const std::vector<std::pair<std::string_view, std::string>>& values) {
   std::string text;

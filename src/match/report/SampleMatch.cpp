@@ -52,7 +52,7 @@ void addEvents(MatchSummary& match) {
   addEvent(match, lengthOfMatch, "gameOver", "The match is over", TeamColor::red);
 }
 
-/// The ball wanders, and goes where it has to be when a goal falls.
+/// Positions of a ball that wanders, and is in the goal when a goal is scored.
 std::vector<Vector2d> ballPath(Random& random) {
   std::vector<Vector2d> path;
   Vector2d ball = Vector2d::Zero(), speed = Vector2d::Zero();
@@ -75,7 +75,7 @@ std::vector<Vector2d> ballPath(Random& random) {
   return path;
 }
 
-/// Some of the figures of play, and a shot for each goal.
+/// Adds some figures of play, and a shot for each goal.
 void addPlay(MatchSummary& match) {
   double share = 36;
   for (const char* use :

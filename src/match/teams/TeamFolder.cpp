@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr std::array parts{"behavior", "config", "motions"};
 
-/// Whether a folder is a team's; files beside the parts may be anything.
+/// Checks that a folder is a team's. It may hold any files beside the parts' folders.
 Result<void> checkTeam(const std::string& folder) {
   const auto wrong = [&](const std::string& what) { return Error{.file = folder, .what = what}; };
   std::error_code failed;
@@ -37,8 +37,8 @@ Result<void> checkTeam(const std::string& folder) {
   return {};
 }
 
-/// Has a team's modules.cfg lie beside the project's instead of on it, since a team changes only
-/// the tasks that it names.
+/// Keeps the project's modules.cfg and adds the team's beside it, since a team changes only the
+/// tasks that it names.
 Result<void> keepSolutions(const fs::path& base, const fs::path& own, const fs::path& links) {
   constexpr const char* solutions = "modules.cfg";
   if (!fs::exists(own / solutions) || !fs::exists(base / solutions)) return {};
@@ -49,7 +49,8 @@ Result<void> keepSolutions(const fs::path& base, const fs::path& own, const fs::
   return {};
 }
 
-/// A commit is its own fingerprint; other files could change.
+/// The version of a team with a program. Fails if it is not named by a commit: a commit is its own
+/// fingerprint; other files could change.
 Result<std::string> versionOfProgram(const std::string& team, const DataRoot& root) {
   auto resolved = resolvedTeam(team, root);
   if (!resolved) return resolved;

@@ -8,21 +8,22 @@
 
 namespace gt {
 
-/// A team: a folder with files of its own in `config`, `behavior` and `motions`. Each stands for
-/// the project's file of that name, or joins the others; what is not there is the project's.
+/// A team: a folder with files of its own in `config`, `behavior` and `motions`. Each file replaces
+/// the project's file of that name, or is added to the others; all other files are the project's.
 class TeamFolder {
  public:
-  /// The name of the team that has nothing of its own.
+  /// The name of the team that has no files of its own.
   static constexpr const char* ownTeam = "GT2003";
 
-  /// Lays a team's folder over files. Fails if it is no folder, has none of the three, or others.
+  /// Overrides files by those of a team's folder. Fails if it is no folder, if it has none of the
+  /// three folders, or if it has others.
   static Result<std::unique_ptr<TeamFolder>> open(const std::string& folder,
                                                   const ConfigurationPaths& base);
 
-  /// What the team's robots read, for as long as this object exists: in a temporary folder with
-  /// links to the files.
+  /// The paths from which the team's robots read: a temporary folder with links to the files, which
+  /// exists as long as this object.
   const ConfigurationPaths& paths() const { return paths_; }
-  /// An error about one of these files with the name of the file behind it.
+  /// An error about one of these files, with the name of the original file instead of the link.
   Error named(Error error) const;
 
  private:
@@ -31,8 +32,8 @@ class TeamFolder {
   ConfigurationPaths paths_;
 };
 
-/// The folder of a team: NAME of the root's folder teams, or the folder of that path. Empty for the
-/// team that has nothing of its own.
+/// The folder of a team: NAME in the root's folder teams, or the folder of that path. Empty for the
+/// team that has no files of its own.
 std::string teamFolder(const std::string& team, const DataRoot& root);
 
 /// Names a team for jobs: its folder and a fingerprint of all files in it, NAME@FINGERPRINT, where
@@ -41,8 +42,8 @@ std::string teamFolder(const std::string& team, const DataRoot& root);
 /// job.
 Result<std::string> teamVersion(const std::string& team, const DataRoot& root);
 
-/// The folder of a team that `teamVersion` has named. Fails if the files are others now; without a
-/// fingerprint they may be any.
+/// The folder of a team that `teamVersion` has named. Fails if the files have changed since;
+/// without a fingerprint they are not checked.
 Result<std::string> teamOfVersion(const std::string& version, const DataRoot& root);
 
 }  // namespace gt

@@ -25,21 +25,21 @@ namespace fs = std::filesystem;
 constexpr const char* commitPrefix = "commit:";
 constexpr const char* programPrefix = "program:";
 constexpr const char* robotProgram = "gtrobot-robot";
-/// A file that the commits have whose robots can play in lockstep.
+/// A file that all commits have whose robots can play in lockstep.
 constexpr const char* neededFile = "src/robot/linux/Lockstep.h";
 
 struct Words {
   std::string what, team;
 };
 
-/// What stands behind the prefix: WHAT[:TEAM].
+/// The text behind the prefix, split: WHAT[:TEAM].
 Words wordsOf(const std::string& name, const char* prefix) {
   const std::string text = name.substr(std::string{prefix}.size());
   const auto colon = std::min(text.find(':'), text.size());
   return {text.substr(0, colon), text.substr(std::min(colon + 1, text.size()))};
 }
 
-/// What git prints, without the end of the line; nothing if it refuses.
+/// The first line that git prints; nothing if git fails.
 std::optional<std::string> git(const std::string& repository, std::vector<std::string> words) {
   words.insert(words.begin(), {"git", "-C", repository});
   const auto done = runProgram(words);
@@ -135,7 +135,7 @@ class Build {
   std::string log_;
 };
 
-/// Builds what a commit needs, if nobody has yet.
+/// The team of a commit, whose program is built unless it is in the cache.
 Result<TeamProgram> ofCommit(const std::string& commit, const std::string& team,
                              const DataRoot& root) {
   const auto folder = cacheOf(commit);

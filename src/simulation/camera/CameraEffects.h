@@ -5,8 +5,8 @@
 
 namespace gt {
 
-/// What makes a camera's images hard, each by itself; the defaults are those of match scenes, all
-/// zero (and brightness 1) is a perfect camera. Configuration.
+/// The errors of a camera, each of which can be set independently. The defaults are those of match
+/// scenes; all zero (and brightness 1) is a perfect camera. Configuration.
 struct CameraEffects {
   bool rollingShutter = true;
   double blur = 0.6;
@@ -31,17 +31,17 @@ struct CameraEffects {
   double delay = 0;
   double delayJitter = 0;
 
-  /// No image is older than its time stamp by more (ms).
+  /// Longest time by which an image is older than its time stamp (ms).
   static constexpr double longestDelay = 40;
-  /// All rows of an image together take no longer (ms).
+  /// Longest time from the exposure of an image's first row to that of its last (ms).
   static constexpr double longestImage = 40;
 
-  /// What they are at a time, with the light that there is then.
+  /// The effects at a time: `brightness` includes the change of the light (`lightChange`) then.
   CameraEffects at(Time time) const;
   /// A camera without faults.
   static CameraEffects none() { return {false, 0, 0, 1, 0, 0, 0, 0, 0, false, false}; }
 
-  /// Whether colors change at all.
+  /// Whether any effect changes the colors of pixels.
   bool colors() const {
     CameraEffects perfect = none();
     perfect.rollingShutter = rollingShutter;
@@ -94,10 +94,10 @@ struct CameraEffects {
   }
 };
 
-/// The effects with the camera set in another way (report B.4.3). Effects are as given with
-/// the settings by default: gain and shutter speed change the light by a stop's half each, gain the
-/// noise, too, shutter speed the exposure; the other white balances shift the colors as in light
-/// that they are not made for.
+/// The effects under other camera settings (report B.4.3); `effects` are those under the default
+/// settings. Each step of gain or shutter speed changes the light by half a stop; gain also changes
+/// the noise, shutter speed also the exposure. Other white balances than the default shift the
+/// colors, as in light that they are not made for.
 CameraEffects withSettings(CameraEffects effects, const CameraSettings& settings);
 
 }  // namespace gt

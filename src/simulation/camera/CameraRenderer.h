@@ -17,15 +17,15 @@
 
 namespace gt {
 
-/// What each pixel of an image really shows, row by row. Provided by the CameraRenderer.
+/// The true content of each pixel of an image, row by row. Provided by the CameraRenderer.
 struct ImageTruth {
   std::vector<ColorClass> classes;
   std::vector<int> geoms;     ///< MuJoCo's geom, -1 for the background.
-  bool withDepths = false;    ///< Whether depths are wanted, which cost a ray each.
+  bool withDepths = false;    ///< Whether to provide depths; each costs a ray.
   std::vector<float> depths;  ///< mm along the optical axis; infinite for the background.
 };
 
-/// Takes the images of simulated cameras. Each thread needs one of its own, the scene is shared.
+/// Takes the images of simulated cameras. Each thread needs its own renderer; the scene is shared.
 /// From the second image of a size on, nothing is allocated.
 class CameraRenderer {
  public:

@@ -19,14 +19,14 @@ PackedColor packColor(const Eigen::Vector3f& rgb, ColorClass colorClass);
 /// The color class that a person would give a color, red, green and blue in 0..1.
 ColorClass classOfRgb(const Eigen::Vector3f& rgb);
 
-/// How far any point of a geom can get from the origin of the body at the root of its chain, in
-/// meters, whatever the joints between do; infinite for planes and where something slides.
+/// Upper bound (m) of the distance from any point of a geom to the origin of the body at the root
+/// of its chain, for all joint angles; infinite for planes and behind slide joints.
 double reachFromRoot(const mjModel& model, int geom);
 
-/// The forms that the cameras draw; a sphere is an ellipsoid.
+/// The forms that the cameras draw; spheres are drawn as ellipsoids.
 enum class CameraForm : std::uint8_t { plane, box, ellipsoid, cylinder, capsule, mesh };
 
-/// What the cameras need to know of one MuJoCo geom beside its pose. Meters.
+/// The data of one MuJoCo geom that the cameras need beside its pose. Meters.
 struct CameraShape {
   static constexpr int shadeCount = 32;
 
@@ -35,15 +35,15 @@ struct CameraShape {
   CameraForm form = CameraForm::box;
   bool decal = false;  ///< Lies flat on the floor; painted in order, without depth.
   Eigen::Vector3f size = Eigen::Vector3f::Zero();
-  float reach = 0;  ///< Radius of a sphere around it.
+  float reach = 0;  ///< Radius of its bounding sphere; infinite for planes.
   int firstFace = 0, faceCount = 0;
   std::array<PackedColor, shadeCount> shades{};  ///< From turned away from the light to facing it.
 };
 
-/// Shapes that are seen or not seen together: all that stands still, or one robot.
+/// Shapes that are culled together: all that stand still, or those of one robot.
 struct CameraCluster {
-  int body = 0;     ///< Its root, around which it reaches.
-  float reach = 0;  ///< Infinite for what stands still.
+  int body = 0;     ///< Its root body, the center of its bounding sphere.
+  float reach = 0;  ///< Radius of its bounding sphere (m); infinite for what stands still.
   int first = 0, count = 0;
 };
 
@@ -74,7 +74,7 @@ class CameraScene {
   const std::vector<Face>& faces() const { return faces_; }
   const mjModel& model() const { return *model_; }
   PackedColor background() const { return background_; }
-  /// The class that a geom is drawn with; noColor for those not seen.
+  /// The color class that a geom is drawn with; noColor for geoms that are not seen.
   ColorClass classOf(int geom) const { return classes_[static_cast<std::size_t>(geom)]; }
 
  private:

@@ -4,7 +4,7 @@
 
 namespace gt {
 
-/// A pose on the way from one to another: `share` 0 is the first, 1 the second.
+/// A pose between two others: `share` 0 is the first, 1 the second.
 inline Pose3D interpolated(const Pose3D& a, const Pose3D& b, double share) {
   const Eigen::Quaterniond rotation =
       Eigen::Quaterniond{a.rotation}.slerp(share, Eigen::Quaterniond{b.rotation});
@@ -15,7 +15,7 @@ inline Pose3D interpolated(const Pose3D& a, const Pose3D& b, double share) {
 struct CameraView {
   CameraInfo info;
   Pose3D first;         ///< On the field when row 0 is exposed, mm, x along the optical axis.
-  Pose3D last;          ///< The same when the last row is exposed.
+  Pose3D last;          ///< On the field when the last row is exposed, as `first`.
   int hiddenBody = -1;  ///< The MuJoCo body around the camera, which is not drawn; -1 for none.
 };
 

@@ -3,7 +3,7 @@
 
 namespace gt {
 
-constexpr int hiddenGroup = 5;  ///< Geoms of this group of MuJoCo's are in no image.
+constexpr int hiddenGroup = 5;  ///< Geoms of this MuJoCo group appear in no image.
 
 /// The color of a geom, that of its material if it has one: red, green, blue and opacity, 0 to 1.
 inline const float* rgbaOf(const mjModel& model, int geom) {

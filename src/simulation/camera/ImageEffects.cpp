@@ -22,7 +22,7 @@ constexpr int lightBits = 14;
 constexpr double lightOne = 1 << lightBits;
 constexpr int noiseOne = 1 << 12;
 constexpr int weightOne = 8;
-/// So many rows share the light of their places; it changes by less than a percent among them.
+/// Number of rows that share their uneven light, which differs by less than a percent among them.
 constexpr int rowsOfLight = 4;
 constexpr std::size_t noisePixels = 1 << 14;
 
@@ -48,7 +48,7 @@ class NoiseTable {
   /// The numbers of a channel, each mixed with its neighbors in the row so that they correlate.
   std::vector<std::int16_t> channel(std::size_t c, double correlation) const {
     std::vector<std::int16_t> values(noisePixels + Plane::step);
-    // Of a (1 + a) kernel's neighbors: 2 a / (1 + 2 a^2).
+    // The kernel a, 1, a gives neighbors the correlation 2 a / (1 + 2 a^2).
     const double a = correlation == 0
                          ? 0
                          : (1 - std::sqrt(1 - 2 * correlation * correlation)) / (2 * correlation);
@@ -60,7 +60,7 @@ class NoiseTable {
     }
     return values;
   }
-  /// Where a row begins.
+  /// The index at which the noise of a row begins.
   static std::size_t place(std::uint64_t seed, int y, int width) {
     return splitMix(splitMix(seed) + static_cast<std::uint64_t>(y)) %
            (noisePixels - static_cast<std::size_t>(width));
@@ -114,11 +114,11 @@ struct CopyRow {
   }
 };
 
-/// Of the neighbors in a pass, in eighths: no more than a half, so that all passes together have
+/// Greatest weight of the neighbors in a pass, in eighths: a half, so that all passes together have
 /// one peak.
 constexpr int mostWeight = 4;
 
-/// Calls work<weight>(): the weight is known when the program is compiled.
+/// Calls work<weight>(), so that the weight is a compile-time constant.
 template <typename Work>
 [[gnu::always_inline]] inline void withWeight(int weight, const Work& work) {
   switch (weight) {
@@ -136,7 +136,7 @@ template <typename Work>
   }
 }
 
-/// The light of each pixel of a row: its column's, without what the row loses.
+/// Computes the light of each pixel of a row: its column's light minus the row's loss.
 struct Illuminate {
   const std::int16_t* gain;
   std::int16_t rowLoss;
@@ -147,7 +147,7 @@ struct Illuminate {
   }
 };
 
-/// The same, times the light of the place.
+/// Computes the light as Illuminate does, times the uneven light at each pixel.
 struct IlluminateUnevenly {
   const std::int16_t *gain, *uneven;
   int rowLoss;
@@ -193,7 +193,7 @@ struct Add {
   LitRow row;
   const std::uint8_t* bright;  ///< The row's y.
   const std::int16_t* noise;
-  std::int16_t deviation, growth;  ///< Of the noise where y is 0, and more where it is 256.
+  std::int16_t deviation, growth;  ///< Of the noise where y is 0, and its increase up to y 256.
   const std::int16_t* columnCast;
   std::int16_t rowCast;
 
@@ -216,12 +216,12 @@ std::array<double, channelCount> castOf(const CameraEffects& effects) {
   return {0.5, 128.5 + effects.shiftCb, 128.5 + effects.shiftCr};
 }
 
-/// What is added to a pixel depends neither on its brightness nor on its place.
+/// Whether noise and color casts depend neither on a pixel's brightness nor on its place.
 bool isSteady(const CameraEffects& effects) {
   return effects.noiseGrowth == 0 && effects.rimCb == 0 && effects.rimCr == 0;
 }
 
-/// Factors of the noise of each channel, where y is 0, and what comes to them where it is 256.
+/// Factors of the noise of each channel where y is 0, and their increase up to y 256.
 struct NoiseStrength {
   std::array<std::int16_t, channelCount> deviation{}, growth{};
 
@@ -282,8 +282,8 @@ void ImageEffects::setNoise(const CameraEffects& effects) {
   }
 }
 
-/// A blur of some variance (square pixels): passes with the kernel w/2, 1 - w, w/2, whose variance
-/// is w.
+/// A blur of a given variance (square pixels): passes with the kernel w/2, 1 - w, w/2, each of
+/// which has the variance w.
 struct ImageEffects::Spread {
   int passes, least = 0, more = 0;
 
@@ -294,7 +294,7 @@ struct ImageEffects::Spread {
     least = eighths / passes;
     more = eighths % passes;
   }
-  /// Of the neighbors in a pass, in eighths: about as much in each.
+  /// The weight of the neighbors in a pass, in eighths; nearly the same in all passes.
   int weight(int pass) const { return least + (pass < more ? 1 : 0); }
 };
 
@@ -373,7 +373,7 @@ struct ImageEffects::Spread {
   for (int y = 0; y < height; ++y) {
     const double out = outward(y, height);
     lightRow(effects, y, out);
-    // Channel by channel: what was just written is not yet there to be read.
+    // Channel by channel: a row that was just written is not at once available for reading.
     std::array<const std::uint8_t*, channelCount> in{};
     const auto middle = [&](std::size_t c) { return mixedRows_.row(static_cast<int>(c)); };
     for (std::size_t c = 0; c < channelCount; ++c)

@@ -15,8 +15,8 @@ namespace gt {
 /// darker and bluish in the corners, lit unevenly, with a color cast and noisy.
 class ImageEffects {
  public:
-  /// The same input gives the same bytes. `image` and `view`, in which the image was drawn, have
-  /// the size of the planes.
+  /// Writes the result into `image`. The same input gives the same bytes. `view` is the view in
+  /// which `picture` was drawn; `image` and `view` have the size of the planes.
   void apply(const ImagePlanes& picture, const CameraView& view, const CameraEffects& effects,
              std::uint64_t seed, Image& image);
 
@@ -24,7 +24,7 @@ class ImageEffects {
   template <typename T>
   using Rows = std::array<std::vector<T>, channelCount>;
 
-  /// What depends on the column only.
+  /// Computes the tables that depend on the column only.
   void setColumns(const CameraEffects& effects, int width, std::size_t padded);
   void setNoise(const CameraEffects& effects);
   void applyWide(const ImagePlanes& picture, const CameraEffects& effects, std::uint64_t seed,
@@ -41,17 +41,18 @@ class ImageEffects {
   /// in `out` unless nothing changes.
   const std::uint8_t* spreadAlong(const std::uint8_t* row, const Spread& along,
                                   std::uint8_t* middle, std::uint8_t* out);
-  /// The light of each pixel of a row that lies so far outward.
+  /// Computes the light of each pixel of a row. `out` is half of the row's squared distance from
+  /// the image's middle, as a share of half the height.
   void lightRow(const CameraEffects& effects, int y, double out);
 
   ImagePlanes spread_;
-  Plane mixed_, mixedRows_;  ///< Between two passes; a whole image and a row of each channel.
+  Plane mixed_, mixedRows_;  ///< Results between two passes: an image, and a row of each channel.
   Rows<std::uint8_t> blurred_, shaded_;
   std::vector<std::int16_t> gain_, uneven_, light_;  ///< Of each column.
   Rows<std::int16_t> cast_;                          ///< Of each column.
-  int width_ = 0;                                    ///< For which columns were set,
-  CameraEffects known_;                              ///< and these.
-  Rows<std::int16_t> noise_;  ///< Rows of images begin anywhere in it. Made for `correlation_`.
+  int width_ = 0;                                    ///< For which the columns were set.
+  CameraEffects known_;                              ///< For which the columns were set.
+  Rows<std::int16_t> noise_;  ///< Noise for `correlation_`; rows of images begin anywhere in it.
   double correlation_ = -1;
   Rows<std::int16_t> added_;  ///< Noise and color casts that are steady, made for `steady_`.
   CameraEffects steady_;

@@ -7,7 +7,7 @@
 namespace gt {
 namespace {
 
-/// Takes a row apart.
+/// Splits a row into its channels.
 struct TakeRow {
   const PackedColor* in;
 

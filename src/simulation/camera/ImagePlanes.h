@@ -14,7 +14,7 @@
 namespace gt {
 
 /// One channel of an image. All rows have the same margins on both sides, so that loops may run in
-/// whole steps and neighbors need no question.
+/// whole steps and access neighbors without checking the bounds.
 class Plane {
  public:
   /// Pixels that can be read beyond both ends of a row.
@@ -47,9 +47,9 @@ constexpr std::size_t channelCount = 3;
 /// An image by channels: y, cb and cr.
 using ImagePlanes = std::array<Plane, channelCount>;
 
-/// Takes the drawn image apart; the margins stay as they are.
+/// Splits the drawn image into planes; the margins stay as they are.
 void takePlanes(const Rasterizer& picture, ImagePlanes& planes);
-/// Puts a row of each channel together.
+/// Joins a row of each channel to a row of pixels.
 [[gnu::always_inline]] inline void joinRow(
     const std::array<const std::uint8_t*, channelCount>& channels, std::span<Pixel> row) {
   static_assert(std::endian::native == std::endian::little);
@@ -72,7 +72,7 @@ void takePlanes(const Rasterizer& picture, ImagePlanes& planes);
     std::memcpy(out, &color, sizeof color);
   }
 }
-/// Puts all rows together; the image has the planes' size.
+/// Joins the planes to an image, which must have their size.
 void joinPlanes(const ImagePlanes& planes, Image& image);
 
 }  // namespace gt

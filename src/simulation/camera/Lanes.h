@@ -40,7 +40,7 @@ inline Bytes firstPairs(Bytes a, Bytes b) {
 inline Shorts firstPairs(Shorts a, Shorts b) {
   return __builtin_shufflevector(a, b, 0, 8, 1, 9, 2, 10, 3, 11);
 }
-/// The last halves of both.
+/// The last halves of both in turns.
 inline Bytes lastPairs(Bytes a, Bytes b) {
   return __builtin_shufflevector(a, b, 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15,
                                  31);

@@ -164,7 +164,7 @@ void Lighting::shade(const mjData& data, const CameraView& view, bool rollingShu
       if (geoms[x] < 0) continue;
       const Vector3d ray = (pose.rotation * view.info.ray(x + 0.5, y + 0.5)).normalized();
       const RayHit hit = castAt(data, geoms[x], from, ray);
-      // At an edge the ray may pass by what the pixel shows: it keeps its flat color.
+      // At an edge the ray may miss the geom that the pixel shows: the pixel keeps its flat color.
       if (hit.geom >= 0) colors[x] = color(data, hit, scene.classOf(hit.geom), shadows);
     }
   }

@@ -8,7 +8,7 @@
 
 namespace gt {
 
-/// What a ray meets first. Meters.
+/// The first surface that a ray meets. Meters.
 struct RayHit {
   int geom = -1;  ///< -1: nothing.
   Vector3d point = Vector3d::Zero();
@@ -16,26 +16,27 @@ struct RayHit {
   double distance = 0;
 };
 
-/// How the emitters of a scene light up what rays meet (report 5.1.1): the ambient intensity of the
+/// The lighting of surfaces by the emitters of a scene (report 5.1.1): the ambient intensity of the
 /// model's headlight, which reaches all surfaces, and the model's lights: directional ones, spot
 /// emitters (a cutoff below 90 degrees) and radial emitters. The radiation classes are red, green
-/// and blue, of which the camera makes its own three. The model must outlive this; its lights may
-/// change.
+/// and blue, which the camera converts to its own three channels. The model must outlive this; its
+/// lights may change.
 class Lighting {
  public:
   explicit Lighting(const mjModel& model) : model_(&model) {}
 
-  /// The nearest surface along a ray. `hiddenBody` and what is not to be seen is passed through.
+  /// The nearest surface along a ray from a point (m). The ray passes through `hiddenBody` and
+  /// through geoms that no image shows.
   RayHit cast(const mjData& data, const Vector3d& from, const Vector3d& direction,
               int hiddenBody) const;
-  /// Where a ray meets one geom.
+  /// The point where a ray from a point (m) meets one geom.
   RayHit castAt(const mjData& data, int geom, const Vector3d& from,
                 const Vector3d& direction) const;
-  /// The color of a lit surface; with shadows, only by emitters that nothing hides.
+  /// The color of a lit surface; with shadows, only emitters that nothing hides light it.
   PackedColor color(const mjData& data, const RayHit& hit, ColorClass colorClass,
                     bool shadows) const;
 
-  /// Gives each pixel of an image that was drawn with its geoms the intensity of its own.
+  /// Lights each pixel of an image separately. The image must have been drawn with its geoms.
   void shade(const mjData& data, const CameraView& view, bool rollingShutter, bool shadows,
              const CameraScene& scene, Rasterizer& picture) const;
 

@@ -10,13 +10,13 @@
 namespace gt {
 namespace {
 
-/// What is smeared over the same distance: so many pixels in both directions.
+/// Size of a block (pixels), which is smeared over one distance.
 constexpr int blockWidth = Plane::step, blockHeight = 8;
-/// No distance is longer to either side (pixels).
+/// Greatest distance to either side (pixels).
 constexpr int longest = Plane::margin - blockWidth;
 constexpr std::size_t mostSamples = 16;
 
-/// How the camera turns while a row is exposed, in its own axes (rad).
+/// The rotation vector of the camera during `exposure` (ms), in its own axes (rad).
 Vector3d turnOf(const CameraView& view, double exposure) {
   const double duration = (view.info.height - 1) * view.info.rowTime;
   if (duration <= 0) return Vector3d::Zero();
@@ -24,7 +24,7 @@ Vector3d turnOf(const CameraView& view, double exposure) {
   return turn.axis() * turn.angle() * exposure / duration;
 }
 
-/// How far what is seen at a place goes in the image if the camera turns.
+/// The motion (pixels) of a point seen at (x, y) in the image when the camera turns.
 Vector2d motionAt(const CameraInfo& info, double x, double y, const Vector3d& turn) {
   const Vector3d ray = info.ray(x, y);
   const Vector3d change = -turn.cross(ray);
@@ -36,7 +36,7 @@ int rounded(double pixels) {
   return static_cast<int>(pixels + longest + 0.5) - longest;
 }
 
-/// The whole pixels from a pixel to those whose mean it gets: 1, 4, 8 or 16.
+/// Offsets (whole pixels) from a pixel to the 1, 4, 8 or 16 pixels whose mean it gets.
 struct Path {
   std::array<int, mostSamples> x, y;
   std::size_t count = 0;
@@ -53,10 +53,10 @@ struct Path {
   }
 };
 
-/// From the first byte of a plane to those whose mean pixels get.
+/// Offsets (bytes) from a pixel of a plane to the pixels whose mean it gets.
 using Offsets = std::array<std::ptrdiff_t, mostSamples>;
 
-/// The means of so many pixels each.
+/// Writes the means of `count` pixels each.
 template <std::size_t count>
 struct Mean {
   const std::uint8_t* sharp;

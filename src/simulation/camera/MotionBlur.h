@@ -4,12 +4,12 @@
 
 namespace gt {
 
-/// Smears an image along the paths that its points go while a row is exposed, because the camera
-/// turns. Pixels of a block of 32 x 8 are smeared over the distance that its middle moves.
+/// Smears an image along the paths of its points while a row is exposed and the camera turns. All
+/// pixels of a block of 32 x 8 are smeared over the distance that the middle of the block moves.
 class MotionBlur {
  public:
-  /// Each pixel gets the mean of what passes it in `exposure` milliseconds, half of them before and
-  /// half of them after the moment at which it was drawn.
+  /// Each pixel gets the mean of the pixels that pass it during `exposure` (ms), half of that time
+  /// before and half of it after the moment at which it was drawn.
   void apply(const CameraView& view, double exposure, ImagePlanes& picture);
 
  private:

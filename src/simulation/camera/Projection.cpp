@@ -7,7 +7,8 @@
 namespace gt {
 namespace {
 
-/// By how much more a lens sees than follows from its focal length, at most: in one of the corners.
+/// Factor by which the lens widens the view beyond what follows from its focal length, at most: in
+/// one of the corners.
 double widestFactor(const CameraInfo& info) {
   double widest = 1;
   for (const double x : {info.centerX, info.width - info.centerX})

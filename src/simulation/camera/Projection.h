@@ -8,9 +8,9 @@
 
 namespace gt {
 
-/// A point of the image.
+/// A point of the image (pixels).
 struct ScreenPoint {
-  /// As many more points an array has room for, so that four are computed at once.
+  /// Number of additional points that an array has room for, since four are computed at once.
   static constexpr int spare = 4;
 
   float x = 0, y = 0;
@@ -20,23 +20,24 @@ struct ScreenPoint {
 /// of the image; within a row it is linear.
 struct ScreenPlane {
   float first0 = 0, first1 = 0, first2 = 0, column0 = 0, column1 = 0, distance0 = 1, distance1 = 0;
-  bool clockwise = true;  ///< How the polygon's points go round in the image.
+  bool clockwise = true;  ///< Whether the polygon's points are clockwise in the image.
 
-  /// Of several rows at once.
+  /// Inverse depth at column 0 of several rows at once, before the division by `distanceAt`.
   Floats firstColumnAt(Floats y) const { return first0 + y * (first1 + y * first2); }
   Floats perColumnAt(Floats y) const { return column0 + y * column1; }
-  /// By which both have to be divided.
+  /// The divisor of `firstColumnAt` and `perColumnAt`.
   Floats distanceAt(Floats y) const { return distance0 + y * distance1; }
 };
 
-/// Maps points in space to the image, for a camera that moves while its rows are exposed one
-/// after another. Meters; the camera's system is that of the moment halfway through the exposure.
+/// Maps points in space to the image, for a camera that moves while its rows are exposed one after
+/// another. Lengths are meters. The camera's system is that of the moment halfway through the
+/// exposure of the image.
 ///
 /// In the image, the center of pixel (x, y) is at (x + 0.5, y + 0.5).
 class Projection {
  public:
   enum class Visibility { hidden, partly, whole };
-  static constexpr float nearest = 0.01f;  ///< What is nearer is not seen, m.
+  static constexpr float nearest = 0.01f;  ///< Distance of the near plane, m.
 
   void set(const CameraView& view, bool rollingShutter);
 
@@ -49,19 +50,19 @@ class Projection {
   /// Whether straight edges are bent, by the camera's motion or by its lens.
   bool bends() const { return moves_ || distorts_; }
 
-  /// How much can be seen of a sphere, its center in the camera's system.
+  /// Whether a sphere is in view, partly or as a whole. `center` is in the camera's system (m).
   Visibility visibility(const Eigen::Vector3f& center, float radius) const;
 
-  /// Where points in the camera's system, ahead of it, appear: for each, the moment is sought at
-  /// which the row is exposed in which the point lies at that moment. `seen` has room for
-  /// `ScreenPoint::spare` more.
+  /// Projects points ahead of the camera, in its system, to the image. For each point, the moment
+  /// is sought at which the row is exposed in which the point lies at that moment. `seen` must have
+  /// room for `ScreenPoint::spare` more points.
   void project(const Eigen::Vector3f* points, int count, ScreenPoint* seen) const;
 
-  /// The plane through the points of a convex polygon in the camera's system; false if the camera
-  /// lies in it, so that nothing of it is seen.
+  /// Computes the plane through the points of a convex polygon in the camera's system. Returns
+  /// false if the camera lies in the plane, so that nothing of it is seen.
   bool planeOf(const Eigen::Vector3f* points, int count, ScreenPlane& plane) const;
 
-  /// Cuts a convex polygon in the camera's system to what can be seen; `points` has room for five
+  /// Clips a convex polygon in the camera's system to the view; `points` must have room for five
   /// more. Returns the new number of points, 0 if none is left.
   int clip(Eigen::Vector3f* points, int count) const;
 
@@ -69,8 +70,8 @@ class Projection {
   static constexpr int maxPoints = 64;
   static constexpr int planeCount = 5;
 
-  /// How a point in the camera's system moves until a row is exposed, and where the lens lets it
-  /// appear.
+  /// Projects a point in the camera's system through the lens. `moved` is the point when the row is
+  /// exposed in which it would appear without the lens's distortion.
   ScreenPoint projectByLens(const Eigen::Vector3f& point, const Eigen::Vector3f& moved) const;
 
   Eigen::Matrix3f rotation_ = Eigen::Matrix3f::Identity();

@@ -8,7 +8,7 @@
 namespace gt {
 namespace {
 
-/// The first pixel (row) whose center does not lie before a place.
+/// The first pixel (row) whose center does not lie before a coordinate.
 [[gnu::always_inline]] inline Ints pixelFrom(Floats places) {
   const Floats v = places - 0.5f;
   const auto i = __builtin_convertvector(v, Ints);

@@ -15,19 +15,20 @@ class Rasterizer {
   /// Starts an image; `withGeoms` also notes which geom each pixel shows.
   void begin(int width, int height, PackedColor background, bool withGeoms);
 
-  /// What is filled next: a geom, painted over everything or hidden by what is nearer.
+  /// Sets the geom of the next polygons. With depth, nearer pixels hide it; without, it is painted
+  /// over everything.
   void setSurface(int geom, bool hasDepth) {
     geom_ = geom;
     hasDepth_ = hasDepth;
   }
-  /// Fills a polygon; `points` has room for `ScreenPoint::spare` more.
+  /// Fills a polygon; `points` must have room for `ScreenPoint::spare` more.
   void fill(ScreenPoint* points, int count, const ScreenPlane& plane, PackedColor color);
 
   int width() const { return width_; }
   int height() const { return height_; }
   const PackedColor* row(int y) const { return &colors_[offset(y)]; }
   PackedColor* row(int y) { return &colors_[offset(y)]; }
-  /// The geoms of a row, -1 for the background; only if asked for.
+  /// The geoms of a row, -1 for the background; only after `begin` with `withGeoms`.
   const std::int32_t* geomRow(int y) const { return &geoms_[offset(y)]; }
 
  private:

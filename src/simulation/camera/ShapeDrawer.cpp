@@ -7,7 +7,7 @@
 namespace gt {
 namespace {
 
-/// Where the light comes from: above, and a little from one side so that faces differ.
+/// The direction to the light: above, and a little to one side so that faces differ.
 const Eigen::Vector3f lightDirection = Eigen::Vector3f{0.25f, 0.15f, 0.95f}.normalized();
 
 /// Corners of polygons around a circle, cosine and sine, for each number of corners; the middle of

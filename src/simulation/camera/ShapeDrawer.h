@@ -14,7 +14,7 @@ class ShapeDrawer {
   ShapeDrawer(const CameraScene& scene, const Projection& projection, Rasterizer& rasterizer)
       : scene_{scene}, projection_{projection}, rasterizer_{rasterizer} {}
 
-  /// Draws a shape with the pose of its geom: `position` and the rows of `axes` are MuJoCo's.
+  /// Draws a shape at the pose of its geom: `position` (m) and `axes` (row by row) are MuJoCo's.
   void draw(const CameraShape& shape, const mjtNum* position, const mjtNum* axes);
 
  private:
@@ -25,16 +25,17 @@ class ShapeDrawer {
   void mesh();
   void cylinder();
   void capsule();
-  /// What is seen of an ellipsoid at an offset along the shape's z-axis.
+  /// Draws the visible part of an ellipsoid at an offset along the shape's z-axis.
   void ellipsoid(const Vector& radii, float offset);
-  /// The side of a cylinder, up to its outline on both sides.
+  /// Draws the side of a cylinder, up to its outline on both sides.
   void mantle(float radius, float halfLength);
   void lid(float radius, float height);
 
   /// A convex polygon in the camera's system; `points_` holds its points.
   void polygon(int count, PackedColor color);
   int bend(int count);
-  /// How long something at the shape's distance is in the image, at most the focal length.
+  /// Length in the image (pixels) of a length (m) at the shape's distance; at most the focal
+  /// length.
   float pixelsOf(float length) const;
   PackedColor shade(const Vector& normal) const;
   /// From the shape's system to the camera's.

@@ -85,7 +85,7 @@ inline Pose3D poseAtRow(const CameraView& view, double row) {
   return pose;
 }
 
-/// Where a still camera sees a point on the field, mm.
+/// The place in the image (pixels) where a still camera sees a point on the field (mm).
 inline Vector2d seenAt(const CameraView& view, const Vector3d& point) {
   return view.info.project(view.last.inverse() * point);
 }

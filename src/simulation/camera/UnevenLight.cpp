@@ -13,7 +13,7 @@ constexpr double one = 1 << 14;                           // a light as on avera
 constexpr double farthest = 3000;                         // mm, from the robot and the center
 constexpr double lampsApartX = 2600, lampsApartY = 1900;  // mm
 
-/// The values between points of two rows.
+/// Interpolates between the points of two rows.
 struct Interpolate {
   const std::int16_t *upper, *lower;
   int below;

@@ -6,18 +6,18 @@
 
 namespace gt {
 
-/// Light that differs over the field, as below rows of lamps at the ceiling. It is computed at
-/// points of the image, 16 pixels apart, and interpolated between them.
+/// Light that differs over the field, as below rows of lamps at the ceiling. The light is computed
+/// at points of the image, 16 pixels apart, and interpolated between them.
 class UnevenLight {
  public:
-  /// How much brighter than on average a place on the field is (mm): -1 to 1.
+  /// Relative brightness at a place on the field (mm): -1 to 1, 0 on average.
   static double at(const Vector2d& place);
 
-  /// Sets what the next rows see; places differ by at most `share`. Rays that meet the ground
-  /// nowhere, or farther away, see the light 3 m ahead.
+  /// Sets the view of the next calls of `row`. Places are brighter or darker by at most `share`.
+  /// Rays that do not meet the ground within 3 m get the light of the field 3 m ahead.
   void set(const CameraView& view, double share);
-  /// The light of the pixels of a row, and of more up to a multiple of 16: 1 << 14 where it is as
-  /// on average.
+  /// Writes the light of the pixels of a row, and of more up to a multiple of 16. The average light
+  /// is 1 << 14.
   void row(int y, std::int16_t* light) const;
 
  private:

@@ -10,9 +10,9 @@
 
 namespace gt {
 
-/// All objects of a running scene, by path (report 5.1.1): listed, watched, moved, switched. A path
-/// leads from groups to their parts, as in `robots/red1/joints/headPan`. Values are texts of
-/// numbers and words; lengths are mm, angles deg.
+/// All objects of a running scene (report 5.1.1); each can be listed, read and, where possible, set
+/// by its path. A path leads from groups to their parts, as in `robots/red1/joints/headPan`. Values
+/// are texts of numbers and words; lengths are mm, angles deg.
 ///
 /// robots/NAME (its pose: x y angle), with joints, switches, sensors, camera, posture, …; balls/N
 /// (x y, and its speed); actuators/NAME (the command, and whether the last one met nothing);
@@ -26,13 +26,13 @@ class SceneTree {
 
   struct Object {
     std::string path;
-    std::string_view help;  ///< What its value is.
+    std::string_view help;  ///< Describes its value.
     bool canBeSet = false;
   };
 
-  /// All objects on and below a path, in order; all there are for an empty one.
+  /// All objects at and below a path, in order; all objects for an empty path.
   std::vector<Object> list(std::string_view path) const;
-  /// An object's value as it is now.
+  /// An object's present value.
   Result<std::string> get(const std::string& path) const;
   /// Moves or switches an object. An error changes nothing.
   Result<void> set(const std::string& path, const std::string& value);
@@ -47,17 +47,17 @@ class SceneTree {
 
   void add(std::string path, std::string_view help, std::function<std::string()> get,
            std::function<Result<void>(const std::string&)> set = nullptr);
-  /// A node that is set by so many numbers, or by more up to `most`.
+  /// Adds a node that is set by `least` to `most` numbers.
   void addNumbers(const std::string& path, std::string_view help, std::function<std::string()> get,
                   std::size_t least, std::size_t most, std::function<void(const Numbers&)> set);
-  /// A node for a bool, a number or an enumeration: `get()` returns it, `set(value)` takes it.
+  /// Adds a node for a bool, a number or an enumeration: `get()` returns it, `set(value)` takes it.
   template <typename Get, typename Set = std::nullptr_t>
   void addValue(const std::string& path, std::string_view help, Get get, Set set = nullptr);
-  /// A node for each field of a struct.
+  /// Adds a node for each field of a struct.
   template <typename T>
   void addFields(const std::string& path, std::function<T()> get,
                  std::function<void(const T&)> set);
-  /// A node for each field of an element of the scene.
+  /// Adds a node for each field of an element of the scene.
   template <typename T>
   void addElement(const std::string& path, T SceneDescription::*element);
   void addRobot(std::size_t i, const std::string& name);

@@ -10,8 +10,8 @@
 
 namespace gt {
 
-/// A robot's program gone mad: any joints, any steps, no numbers, garbage by radio; in the end it
-/// may throw.
+/// A robot's program that returns random output: any joint angles, any steps, values that are no
+/// numbers, garbage by radio. It throws at `throwsAt`.
 class MadController : public RobotController {
  public:
   MadController(const Random& random, Time throwsAt) : random_{random}, throwsAt_{throwsAt} {}
@@ -42,7 +42,7 @@ class MadController : public RobotController {
   Pose2D step_;
 };
 
-/// What people do to a scene who do not care: robots thrown and put anywhere, balls kicked, robots
+/// Random interventions in a scene: robots are thrown and put anywhere, balls kicked, robots
 /// penalized, all objects set to anything.
 class Chaos {
  public:
@@ -77,7 +77,7 @@ class Chaos {
     simulation_.step();
   }
 
-  /// What is wrong in the world; empty if nothing is.
+  /// Describes the first invalid state in the world; empty if there is none.
   std::string wrong() const {
     const World& world = simulation_.world();
     for (std::size_t i = 0; i < world.robotCount(); ++i) {
@@ -127,7 +127,7 @@ class Chaos {
   Random random_;
 };
 
-/// The match scene with so many robots and balls, who all have programs.
+/// The match scene with a number of robots, which all have programs, and a number of balls.
 inline Result<SceneDescription> crowdedScene(std::size_t robots, std::size_t balls,
                                              const std::string& file = "scenes/match.scene") {
   auto scene = loadScene(file);

@@ -3,8 +3,8 @@
 
 namespace gt {
 
-/// How robots were put together, each of them differently, and how their joints and legs give.
-/// What differs from robot to robot is normally distributed. Element `body`.
+/// Errors of assembly, which differ from robot to robot, and compliance of joints and legs.
+/// Differences from robot to robot are normally distributed. Element `body`.
 struct BodyParameters {
   double tilt = 0;
   double roll = 0;
@@ -18,7 +18,7 @@ struct BodyParameters {
   double swayRoll = 0;
   double swayHeight = 0;
 
-  /// No command waits longer (ms).
+  /// Upper bound of `commandDelay` (ms).
   static constexpr double longestDelay = 120;
 
   static constexpr auto fields() {

@@ -6,8 +6,8 @@ namespace gt {
 /// The technical challenges of 2003 (report, chapter 4).
 enum class ChallengeKind { ball, localization, obstacles };
 
-/// Which challenge the scene is: it starts and scores itself (simulation/Challenge.h). Element
-/// `challenge`.
+/// The challenge of a scene, which is started and scored automatically (simulation/Challenge.h).
+/// Element `challenge`.
 struct ChallengeParameters {
   ChallengeKind kind = ChallengeKind::obstacles;
   bool random = false;

@@ -3,7 +3,8 @@
 
 namespace gt {
 
-/// How the bodies of the dynamic fidelity differ from their models: factors. Element `dynamics`.
+/// Factors by which the bodies of the dynamic fidelity differ from their models. Element
+/// `dynamics`.
 struct DynamicsParameters {
   double friction = 1;
   double mass = 1;

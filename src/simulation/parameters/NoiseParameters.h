@@ -3,7 +3,7 @@
 
 namespace gt {
 
-/// How much chance there is in the sensors and motions of all robots. Element `noise`.
+/// Noise of the sensors and motions of all robots. Element `noise`.
 struct NoiseParameters {
   double joints = 0.2;
   double acceleration = 200;

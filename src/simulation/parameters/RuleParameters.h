@@ -3,8 +3,8 @@
 
 namespace gt {
 
-/// What the referee penalizes, after how many seconds of it; 0: never (facts, 2.2). How long robots
-/// are removed, and the penalty shoot-out. Element `rules`.
+/// For each foul, the seconds that it lasts until the referee penalizes it; 0: never (facts, 2.2).
+/// Also for how long robots are removed, and the penalty shoot-out. Element `rules`.
 struct RuleParameters {
   double ballHolding = 3;
   double keeperBallHolding = 5;

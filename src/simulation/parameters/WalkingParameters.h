@@ -3,9 +3,9 @@
 
 namespace gt {
 
-/// How the carpet shortens walked distances, where feet slip on it, and what is felt of things in
-/// the way. The dynamic fidelity does not need it: friction and contacts have this effect there.
-/// Element `walking`.
+/// Effects of the carpet, which shortens walked distances and lets feet slip, and of obstacles that
+/// a robot walks against. Kinematic fidelity only: in the dynamic fidelity friction and contacts
+/// have these effects. Element `walking`.
 struct WalkingParameters {
   double shortfall = 0;
   double gaitShortfall = 0;

@@ -11,7 +11,7 @@ namespace {
 /// A ball that a robot holds lies before its chest and moves with it (mm).
 constexpr double holdingLength = 240, holdingWidth = 120, holdingPlay = 40;
 constexpr std::int64_t touchedMs = 400;  // how long ago it was felt at most
-/// Who is further away from the ball than this does not play it (mm).
+/// A robot that is further away from the ball than this does not play it (mm).
 constexpr double playingDistance = 500;
 
 }  // namespace

@@ -10,34 +10,36 @@
 
 namespace gt {
 
-/// A robot that does what the rules forbid.
+/// A robot that breaks a rule, and the penalty for it.
 struct Foul {
   std::size_t robot;
   Penalty penalty;
 };
 
-/// Watches for all that the rules of 2003 penalize (facts, 2.2). A foul is one that lasts: what
-/// ends before its time is forgotten twice as fast as it was counted.
+/// Detects all fouls that the rules of 2003 penalize (facts, 2.2). An offense becomes a foul after
+/// a time; the time of an offense that ends earlier is counted down twice as fast as it was counted
+/// up.
 class FoulWatch {
  public:
   FoulWatch(const RuleParameters& rules, const FieldDimensions& field,
             const std::vector<Player>& players);
 
-  /// The fouls that became ripe in this tick of play. `away` states which robots are not on the
-  /// field; `kickOff` the team that has to play the ball first, if it has not yet.
+  /// The fouls whose time was reached in this tick of play. `away` states which robots are not on
+  /// the field; `kickOff` is the team that has to play the ball first, null once it has.
   const std::vector<Foul>& update(const World& world, const std::vector<bool>& away,
                                   const TeamColor* kickOff);
-  /// Forgets all that was seen: play begins anew.
+  /// Forgets all offenses: play begins anew.
   void reset();
 
   const RuleParameters& rules() const { return rules_; }
   void change(const RuleParameters& rules) { rules_ = rules; }
 
  private:
-  /// What is known of one robot.
+  /// The offenses of one robot.
   struct Record {
-    EnumArray<Penalty, double> seconds;
-    Vector2d heldAt = Vector2d::Zero();  ///< Where it began to hold the ball, as it sees it.
+    EnumArray<Penalty, double> seconds;  ///< Since it began, for each penalty.
+    /// Position of the ball relative to the robot (mm) when it began to hold the ball.
+    Vector2d heldAt = Vector2d::Zero();
   };
 
   double limit(std::size_t robot, Penalty penalty, const World& world) const;

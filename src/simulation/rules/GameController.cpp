@@ -9,7 +9,7 @@
 namespace gt {
 namespace {
 
-/// How one version's message is laid out, behind "RGme".
+/// The layout of one version's message, behind "RGme".
 struct Format {
   int version;
   std::size_t size;

@@ -39,19 +39,21 @@ struct GameEvent {
     return Fields{
         field<&GameEvent::type>(),
         field<&GameEvent::time>(Unit::ms),
-        field<&GameEvent::team>("that kicks off, scores or shoots, or whose robot was put by hand"),
+        field<&GameEvent::team>(
+            "team that kicks off, scores or shoots, or whose robot was put by hand"),
         field<&GameEvent::number>(
-            "goal: the player that touched the ball last, of the other team if it is an own goal; "
-            "otherwise the player concerned; 0 nobody"),
+            "number of the player concerned, 0 for none; for a goal: of the player that touched "
+            "the ball last, who is of the other team if it is an own goal"),
         field<&GameEvent::ownGoal>(),
-        field<&GameEvent::penalty>("of a robot that is taken off the field"),
-        field<&GameEvent::ballPosition>(Unit::mm, "on the field"),
-        field<&GameEvent::scoreRed>("shots and an end by them: of the shoot-out"),
+        field<&GameEvent::penalty>("penalty of a robot that is taken off the field"),
+        field<&GameEvent::ballPosition>(Unit::mm, "position of the ball on the field"),
+        field<&GameEvent::scoreRed>(
+            "goals of the red team; in a shoot-out and at an end by it: of the shoot-out"),
         field<&GameEvent::scoreBlue>()};
   }
 };
 
-/// What happened, for people: one line.
+/// Describes an event in one line.
 std::string describe(const GameEvent& event);
 
 /// Minutes and seconds, as in 2:05.

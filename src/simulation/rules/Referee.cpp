@@ -9,8 +9,8 @@
 namespace gt {
 namespace {
 
-/// A ball of this speed that rolls towards the goal is a shot; whoever deflects it shortly before
-/// it goes in did not score.
+/// A ball of at least this speed that rolls towards the goal is a shot; a robot that deflects it
+/// within `shotMs` before it goes in did not score.
 constexpr double shotSpeed = 200;  // mm/s
 constexpr std::int64_t shotMs = 2000;
 constexpr std::int64_t initialMs = 1000;
@@ -19,7 +19,7 @@ constexpr std::int64_t standingMs = 1000;
 constexpr double standingMm = 15;
 constexpr double standingDegrees = 5, standingLegDegrees = 10;  // who cheers moves its legs
 constexpr double stuckMm = 50;
-/// A robot reaches this far around its middle, at most.
+/// Greatest distance of a robot's parts from its middle (mm).
 constexpr double robotRadius = 150;
 
 }  // namespace

@@ -21,13 +21,13 @@ namespace gt {
 
 /// Leads the game by the rules of 2003 (facts, 2.2): initial, ready, set, playing; goals,
 /// kick-offs, halves, balls that are stuck, penalties, and the penalty shoot-out. The clock runs
-/// from the first whistle on and does not stop; the teams keep their goals for both halves. The
-/// other team than in the first half kicks off in the second. A goal is an own goal if the defender
-/// who touched the ball last gave it its way in; one that deflects a shot on goal does not.
+/// from the first whistle on and does not stop; the teams keep their goals for both halves. In the
+/// second half the other team kicks off. A goal is an own goal if a defender touched the ball last,
+/// unless it only deflected a shot on goal.
 ///
 /// A penalized robot stands beside the field, and comes back at the halfway line, on the side away
-/// from the ball; for a kick-off all come back. Once a game controller has sent something, it
-/// leads: the referee only follows it.
+/// from the ball; for a kick-off all come back. Once a game controller has sent a message, the
+/// referee only follows the game controller.
 class Referee {
  public:
   Referee(const GameParameters& parameters, const RuleParameters& rules,
@@ -37,13 +37,14 @@ class Referee {
   void update(World& world);
   /// Applies a message of a game controller.
   void follow(const GameControllerMessage& message, World& world);
+  /// Whether a game controller leads the game.
   bool led() const { return led_; }
 
   const GameControlData& dataFor(std::size_t robot) const { return data_[robot]; }
   GameState state() const { return state_; }
-  /// Whether the game has ended, and the time in which robots leave the field, too. A game
-  /// controller finishes each half, and may take that back: only the second one's end counts, and
-  /// only after some time.
+  /// Whether the game and the time in which robots leave the field have ended. A game controller
+  /// finishes each half and may take that back: only the end of the second half counts, and only
+  /// `undoMs` later.
   bool over(Time now) const {
     if (state_ != GameState::finished || (led_ && half_ == 1)) return false;
     const std::int64_t leaving = toMs(parameters_.leaveTime);
@@ -55,17 +56,17 @@ class Referee {
   Penalty penalty(std::size_t robot) const { return penalties_[robot]; }
   /// The shoot-out, once it has begun.
   const std::optional<ShootOut>& shootOut() const { return shootOut_; }
-  /// Time left in this half, or for this shot (ms).
+  /// Time left in this half, or for this shot of the shoot-out (ms).
   std::int64_t timeLeft(Time now) const;
   const std::vector<GameEvent>& events() const { return events_; }
 
   const GameParameters& parameters() const { return parameters_; }
   const RuleParameters& rules() const { return fouls_.rules(); }
-  /// From now on.
+  /// Changes the parameters or rules from now on.
   void change(const GameParameters& parameters) { parameters_ = parameters; }
   void change(const RuleParameters& rules) { fouls_.change(rules); }
 
-  /// A person's decisions. In ready all penalties are lifted (report J.2.6).
+  /// Sets the state, as a person decides. In ready all penalties are lifted (report J.2.6).
   void order(GameState state, World& world);
   void setKickOff(TeamColor team) { kickOff_ = team; }
   void setScore(TeamColor team, int goals, Time now);
@@ -79,9 +80,9 @@ class Referee {
 
  private:
   static constexpr std::size_t nobody = ~std::size_t{0};
-  /// Within which a game controller may take the end back.
+  /// Time within which a game controller may take the end of a half back.
   static constexpr std::int64_t undoMs = 10'000;
-  /// In the goal: between the posts, and behind the line with all of the ball.
+  /// The ball is in the goal when it is between the posts and behind the line as a whole.
   enum class BallPlace { onField, inGoal, out };
 
   static std::int64_t toMs(double seconds) { return std::llround(1000 * seconds); }
@@ -94,7 +95,7 @@ class Referee {
   void updateShot(World& world);
   void beginShot(World& world);
   void endShot(World& world, bool goal);
-  /// An event of the shoot-out has its score.
+  /// Sets the score of an event of the shoot-out to that of the shoot-out.
   void setShots(GameEvent& event) const;
   void penalizeFouls(World& world);
   void giveBackWhoseTimeIsOver(World& world);
@@ -121,7 +122,7 @@ class Referee {
   std::vector<GameControlData> data_;
   std::vector<Penalty> penalties_;
   std::vector<bool> away_;    ///< Beside the field.
-  std::vector<Time> backAt_;  ///< When the penalty is over; never() if somebody else decides.
+  std::vector<Time> backAt_;  ///< End of the penalty; never() if the referee does not decide it.
   GameState state_ = GameState::initial;
   Time stateSince_;
   Time halfStarted_;
@@ -133,14 +134,14 @@ class Referee {
   std::optional<ShootOut> shootOut_;
   std::size_t shooter_ = nobody, keeper_ = nobody;
   bool led_ = false;
-  std::int64_t ledTimeLeft_ = 0;  ///< When it was reported.
+  std::int64_t ledTimeLeft_ = 0;  ///< Time left (ms) at `ledAt_`, as the game controller reported.
   Time ledAt_;
   std::vector<GameEvent> events_;
   struct Shot {
     int robot = -1;
     Time time = never();
-  } shot_;  ///< The last ball on its way into the other team's goal, and whose it was.
-  std::vector<RobotBody> lastSeen_;  ///< When each robot moved last.
+  } shot_;  ///< The last shot towards the other team's goal, and the robot that made it.
+  std::vector<RobotBody> lastSeen_;  ///< Each robot when it moved last.
   Time movedAt_;
   Vector2d ballReference_ = Vector2d::Zero();
   Time ballMovedAt_;

@@ -7,9 +7,9 @@
 namespace gt {
 namespace {
 
-/// Beside the field, behind the side wall: where penalized robots stand (mm).
+/// Distance of penalized robots from the sideline, behind the side wall (mm).
 constexpr double besideField = 350;
-/// Where they come back: that far from the side wall.
+/// Distance from the sideline at which robots come back to the field (mm).
 constexpr double returnInside = 200;
 
 }  // namespace

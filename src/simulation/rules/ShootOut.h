@@ -4,15 +4,15 @@
 
 namespace gt {
 
-/// Counts a penalty shoot-out: the teams shoot in turn, until one cannot be caught up with any
-/// more; after the shots that each team has, pair by pair.
+/// Counts a penalty shoot-out: the teams shoot in turn, until one can no longer be caught up with.
+/// If they are even after `shots` each, they continue pair by pair.
 class ShootOut {
  public:
   ShootOut(int shots, TeamColor first) : shots_{shots}, first_{first} {}
 
-  /// Whose shot is next.
+  /// The team that has the next shot.
   TeamColor team() const { return taken_ % 2 == 0 ? first_ : opponent(first_); }
-  /// From 1: which of its team's shots is next.
+  /// The number of the next shot of that team, from 1.
   int number() const { return taken_ / 2 + 1; }
   int goals(TeamColor team) const { return goals_[team]; }
 
@@ -20,7 +20,7 @@ class ShootOut {
     goals_[team()] += goal;
     ++taken_;
   }
-  /// Whether it is decided, or was given up as a draw after four times the shots.
+  /// Whether the shoot-out is decided, or ended as a draw after four times `shots` for each team.
   bool over() const {
     const int firstLeft = shots_ - (taken_ + 1) / 2, secondLeft = shots_ - taken_ / 2;
     const int lead = goals_[first_] - goals_[opponent(first_)];

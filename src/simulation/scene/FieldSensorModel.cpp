@@ -14,7 +14,7 @@ namespace {
 constexpr double farthest = 10;  // m, of a whisker without a cutoff
 constexpr int receptorRays = 5;  // in each direction
 
-/// The kinds that MJCF knows: the unit of their values in MuJoCo's, and how many there are.
+/// The kinds that MJCF knows: the unit of their values in MuJoCo's units, and the number of values.
 struct MjcfKind {
   int type;
   FieldSensorKind kind;

@@ -11,7 +11,7 @@ struct FilePlace {
   int column = 0;
 };
 
-/// What is wrong at a place of a file.
+/// An error at a place in a file.
 inline Error errorAt(const std::string& file, const FilePlace& place, const std::string& field,
                      const std::string& what) {
   return {.file = file, .line = place.line, .column = place.column, .field = field, .what = what};

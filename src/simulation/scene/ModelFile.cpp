@@ -40,7 +40,7 @@ const xmlNode* elementAt(const xmlDoc& document, const std::string& text, int li
   return found;
 }
 
-/// The number of the sensor that a message of MuJoCo's is about: those have no line.
+/// The number of the sensor that a message of MuJoCo is about: such messages have no line.
 std::optional<std::size_t> sensorIn(const std::string& message) {
   if (message.find(" in sensor '") == message.npos) return std::nullopt;
   const auto id = message.find("(id = ");

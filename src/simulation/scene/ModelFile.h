@@ -11,19 +11,19 @@
 
 namespace gt {
 
-/// An MJCF file as one document: with all that it includes, and with absolute paths of the meshes,
-/// height fields and textures that it names, so that it means the same in any working directory.
+/// An MJCF file as one document: with all files that it includes, and with absolute paths of the
+/// meshes, height fields and textures that it names, so that it is valid in any working directory.
 class ModelFile {
  public:
-  /// Reads a file and what it includes. What is wrong is added to a list; empty if something is.
+  /// Reads a file and the files that it includes. Adds errors to `errors`; empty if there are any.
   static std::optional<ModelFile> read(const std::string& path, std::vector<Error>& errors);
 
   const std::string& path() const { return path_; }
   /// Its element <mujoco>. The document may be changed before it is compiled.
   xmlNode* root() const { return xmlDocGetRootElement(document_.get()); }
-  /// All elements of a name below <mujoco>: sections may be repeated.
+  /// All elements of a name below <mujoco>, since sections may be repeated.
   std::vector<xmlNode*> sections(const char* name) const;
-  /// An attribute of the compiler. The last counts; empty if there is none.
+  /// An attribute of the element <compiler>. The last one counts; empty if there is none.
   std::string compilerAttribute(const char* name) const;
   /// The element <compiler> with an attribute; null if there is none.
   const xmlNode* compilerWith(const char* name) const;
@@ -32,7 +32,7 @@ class ModelFile {
   Error at(const xmlNode* node, const std::string& field, const std::string& what,
            Severity severity = Severity::error) const;
 
-  /// What MuJoCo makes of this file alone. Errors name the file and the line of the element.
+  /// Compiles this file alone. Errors name the file and the line of the element.
   Result<Model> compile() const;
 
  private:
@@ -43,7 +43,7 @@ class ModelFile {
 
   ModelFile(std::string path, XmlDocument document)
       : path_{std::move(path)}, document_{std::move(document)} {}
-  /// Where an element comes from.
+  /// The file from which an element was read.
   Included originOf(const xmlNode* node) const;
   void include(std::vector<Error>& errors);
   xmlNode* replace(xmlNode* include, std::vector<std::string>& read, std::vector<Error>& errors);

@@ -8,11 +8,11 @@
 
 namespace gt {
 
-/// What the names of a model file begin with in a scene.
+/// The prefixes that the names of a model file get in a scene.
 struct ModelPrefixes {
   std::string things;  ///< Bodies, joints, geoms, sensors and so on.
   std::string assets;  ///< Materials, meshes, textures, height fields and default classes.
-  /// The class that the file's own main class becomes: a scene's is empty.
+  /// The scene's name of the file's main class; the scene's own main class is empty.
   std::string mainClass() const { return assets.empty() ? "/main" : assets + "main"; }
 };
 
@@ -26,13 +26,14 @@ struct ModelReference {
 /// The class of an element of a file: its own, or the childclass of a body around it.
 std::string classOf(const xmlNode* node);
 
-/// The things that an element refers to, without those below it. Assets are none.
+/// The references of an element to things, without those of elements below it. References to assets
+/// are not included.
 std::vector<ModelReference> referencesOf(const xmlNode* node);
 
-/// Gives the names in an element and below it their prefixes, and references likewise.
+/// Adds the prefixes to all names and references in an element and below it.
 void prefixNames(xmlNode* node, const ModelPrefixes& prefixes, bool asset);
 
-/// Gives the elements of a section the file's main class where they have none and may have one.
+/// Sets the file's main class at the elements of a section that have no class and may have one.
 void setMainClass(xmlNode* section, const ModelPrefixes& prefixes);
 
 }  // namespace gt

@@ -10,7 +10,7 @@
 
 namespace gt {
 
-/// What a model has many of, each with a row in some arrays of mjModel.
+/// The kinds of things in a model, each of which has a row in some arrays of mjModel.
 enum class ModelKind {
   body,
   joint,
@@ -50,20 +50,19 @@ struct ModelRows : OfModelKinds<std::vector<int>> {
 /// How many rows a model has of a kind.
 int countOf(const mjModel& model, ModelKind kind);
 
-/// The kind of what has names of a type of MuJoCo's; empty for those that a ModelRows does not
-/// hold.
+/// The kind that corresponds to a type of MuJoCo's; empty for types that ModelRows does not hold.
 std::optional<ModelKind> modelKindOf(mjtObj type);
 
-/// Copies what MuJoCo made of a file alone into a model that was joined from several, where the
-/// file's rows stand one behind another from `first` on.
+/// Copies the numbers of a file that was compiled alone into a model that was joined from several
+/// files. The file's rows stand in the joined model one behind another, from `first` on.
 class NumberCopy {
  public:
   NumberCopy(const mjModel& alone, const ModelRows& rows, mjModel& joined,
              const OfModelKinds<int>& first, std::string prefix);
 
-  /// Whether the rows are the same things in both: names, kinds and what belongs to what.
+  /// Whether the rows stand for the same things in both models: equal names, kinds and parents.
   bool fits() const;
-  /// Copies the numbers. Returns whether any was another one.
+  /// Copies the numbers. Returns whether any number changed.
   bool copy();
 
  private:

@@ -30,7 +30,7 @@ xmlNode* worldOf(ModelFile& file) {
                         : worlds.front();
 }
 
-/// As in the localization challenge of 2003 (facts, 2.3).
+/// Removes the flags, as in the localization challenge of 2003 (facts, 2.3).
 void removeFlags(ModelFile& field) {
   std::vector<xmlNode*> flags;
   for (xmlNode* world : field.sections("worldbody"))
@@ -41,10 +41,10 @@ void removeFlags(ModelFile& field) {
   for (xmlNode* flag : flags) remove(flag);
 }
 
-/// MuJoCo tests each geom of one body with each of another, but only bodies that are near each
-/// other, and all are near the world's own: so what stands on the floor gets bodies of its own.
+/// Gives the geoms that stand on the floor bodies of their own. MuJoCo tests all geoms of two
+/// bodies with each other if the bodies are near each other, and all are near the world's body.
 void separateField(ModelFile& field) {
-  // The one would undo it, the other count the masses of the new bodies.
+  // `fusestatic` would undo this, `settotalmass` would count the masses of the new bodies.
   if (field.compilerAttribute("fusestatic") == "true" ||
       !field.compilerAttribute("settotalmass").empty())
     return;
@@ -67,7 +67,7 @@ void separateField(ModelFile& field) {
   }
 }
 
-/// What is left out of a model file, and the messages about it.
+/// Selects what is left out of a model file, and collects the messages about it.
 class Selection {
  public:
   Selection(ModelSource& source, std::vector<Error>& findings)
@@ -99,7 +99,7 @@ class Selection {
   std::vector<Error>& findings_;
 };
 
-/// The simulator sets some options itself. Says so where the file's is another.
+/// Removes an option that the simulator sets itself. Warns if the file's option differs.
 void Selection::setOption(xmlNode* option, const char* name, bool same, const char* why) {
   if (attribute(option, name).empty()) return;
   if (!same) warn(option, name, std::string{"is left out of the scene: "} + why);
@@ -168,7 +168,7 @@ std::string Selection::missing(xmlNode* node) const {
   return "";
 }
 
-/// Takes the elements of a section whose rows stand in their order in the model.
+/// Selects elements of a section whose rows have the same order in the model.
 void Selection::takeList(const char* section, ModelKind kind) {
   std::vector<xmlNode*> elements;
   for (xmlNode* node : source_.file.sections(section))

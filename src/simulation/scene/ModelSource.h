@@ -11,23 +11,23 @@
 
 namespace gt {
 
-/// A model file as a scene takes it: what MuJoCo makes of it alone, and what of it comes into the
-/// scene. What does not has been removed from the document.
+/// A model file as a part of a scene: the model compiled from it alone, and the rows of that model
+/// that come into the scene. All other elements have been removed from the document.
 struct ModelSource {
   ModelFile file;
   Model alone;
-  ModelPrefixes prefixes;   ///< The one of things is another for each robot and ball.
+  ModelPrefixes prefixes;   ///< The prefix of things differs for each robot and ball.
   xmlNode* body = nullptr;  ///< A robot's or ball's; null for a field.
-  ModelRows rows;           ///< What the scene takes of `alone`.
+  ModelRows rows;           ///< The rows of `alone` that come into the scene.
 };
 
-/// Reads a scene's field and adds the people around it. What is wrong or left out is added to a
-/// list; empty if something is wrong.
+/// Reads a scene's field and adds the people around it. Adds errors and warnings about parts that
+/// are left out to `findings`; empty if there is an error.
 std::optional<ModelSource> readFieldSource(const SceneDescription& scene, const Random& audience,
                                            std::vector<Error>& findings);
 
 /// Reads the model of robots or balls: its first body, and the contacts, equalities, tendons and
-/// sensors that concern nothing else.
+/// sensors that refer to nothing outside of that body.
 std::optional<ModelSource> readBodySource(const std::string& path, const std::string& assetPrefix,
                                           std::vector<Error>& findings);
 

@@ -9,8 +9,8 @@
 namespace gt {
 namespace {
 
-/// Where to go on after an error of MuJoCo, and its message. MuJoCo ends the process unless its
-/// handler never returns.
+/// The point at which to continue after an error of MuJoCo, and its message. MuJoCo ends the
+/// process unless its error handler never returns.
 struct ErrorTrap {
   std::jmp_buf back;
   char message[1000] = "";

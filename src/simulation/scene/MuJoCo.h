@@ -18,14 +18,14 @@ struct MuJoCoDeleter {
 using Model = std::unique_ptr<mjModel, MuJoCoDeleter>;
 using ModelData = std::unique_ptr<mjData, MuJoCoDeleter>;
 
-/// Compiles an MJCF text. MuJoCo's own errors become an `Error` of the file that is to blame; none
-/// ends the process.
+/// Compiles an MJCF text. Errors of MuJoCo are returned as an `Error` in `file`; none of them ends
+/// the process.
 Result<Model> compileModel(const std::string& mjcf, const std::string& file);
 
-/// A model of its own with the same content.
+/// A deep copy of a model.
 Model copyModel(const mjModel& model);
 
-/// Data for a model. Its state is the model's default.
+/// Creates data for a model, in the model's default state.
 ModelData makeData(const mjModel& model);
 
 /// A position of MuJoCo (meters) in millimeters.
@@ -44,7 +44,7 @@ std::string nameOf(const mjModel& model, mjtObj type, int id);
 /// The numbers of a custom field of the model (MJCF's `numeric`); empty if there is no such field.
 std::vector<double> customNumbers(const mjModel& model, const std::string& name);
 
-/// The pose of a site, in millimeters.
+/// The pose of a site in the world (mm).
 inline Pose3D sitePose(const mjData& data, int site) {
   return {rotationFromMuJoCo(data.site_xmat + 9 * site), fromMuJoCo(data.site_xpos + 3 * site)};
 }

@@ -18,7 +18,7 @@ struct ProfileNumber {
 /// All numbers that the profiles set, in the order of the elements.
 std::span<const ProfileNumber> profileTable();
 
-/// Sets what a profile sets. The table and the elements' fields agree: a test holds it.
+/// Sets all numbers of a profile. A test checks that the table and the elements' fields agree.
 void setProfile(SceneDescription& scene, Profile profile);
 
 /// Calls visit(name, element) for each element of a scene that a profile sets.

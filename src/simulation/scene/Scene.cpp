@@ -64,7 +64,8 @@ std::string tag(const xmlNode* node) {
   return std::string{"<"}.append(nameOf(node)).append(">");
 }
 
-/// Reads an attribute's value. Returns what is wrong with it, and leaves the member as it was then.
+/// Parses an attribute's value. If it is invalid, returns the reason and leaves the member
+/// unchanged.
 template <typename T>
 std::optional<std::string> readValue(const std::string& text, const Range& range, T& member) {
   if (text.empty()) return "must not be empty";
@@ -94,8 +95,8 @@ void SceneReader::readAttributes(const xmlNode* node, T& into) {
   }
 }
 
-/// Sets what the profile sets, before anything else of the scene is read. What is wrong with its
-/// name is found with the other attributes.
+/// Applies the profile, before anything else of the scene is read. A wrong name of a profile is
+/// reported with the errors of the other attributes.
 void SceneReader::readProfile(const xmlNode* root, SceneDescription& scene) {
   setProfile(scene, enumValue<Profile>(attribute(root, "profile")).value_or(Profile::padova));
 }

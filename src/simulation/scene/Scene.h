@@ -23,8 +23,8 @@
 
 namespace gt {
 
-/// How truly the bodies move. Kinematic: robots move by their own motion model. Dynamic: motors,
-/// contacts and friction move everything.
+/// The fidelity of the bodies' motion. Kinematic: robots move by their own motion model. Dynamic:
+/// motors, contacts and friction move everything.
 enum class Fidelity { kinematic, dynamic };
 
 /// A robot of the groups `robots` (active) and `extras` (passive). Element `robot`.
@@ -77,15 +77,15 @@ struct SceneBall {
   }
 };
 
-/// How far the world and the robots' hardware are from perfect: sets all numbers of the elements
-/// `noise`, `body`, `walking`, `camera`, `physics`, `radio` and the audience; what the scene
-/// states of one of them takes precedence (docs/realism.md). Perfect: no errors. Benign: noise
+/// The degree of imperfection of the world and the robots' hardware. It sets all numbers of the
+/// elements `noise`, `body`, `walking`, `camera`, `physics`, `radio` and the audience; numbers that
+/// the scene itself states take precedence (docs/realism.md). Perfect: no errors. Benign: noise
 /// only. Padova: as on the real robots of 2003, the default of scene files. Rough: twice as bad.
 enum class Profile { perfect, benign, padova, rough };
 
-/// A simulation scene: which robots and balls stand where, and how the world is (report I.4). Read
-/// from a `.scene` file. Its coordinates are the field's: origin at the center, x to the sky-blue
-/// goal, as the red team sees it.
+/// A simulation scene: the robots and balls with their places, and the parameters of the world
+/// (report I.4). Read from a `.scene` file. Its coordinates are the field's: origin at the center,
+/// x to the sky-blue goal, as the red team sees it.
 struct SceneDescription {
   std::string file;
   FilePlace fieldPlace, configPlace, scriptPlace;  ///< Of these attributes, or of the scene.
@@ -93,7 +93,7 @@ struct SceneDescription {
   std::string config = "../config";
   std::string script;
   std::string red, blue;
-  Profile profile = Profile::benign;  ///< Whose numbers the elements have if nobody sets them.
+  Profile profile = Profile::benign;  ///< Sets the numbers that the elements do not state.
   Fidelity fidelity = Fidelity::kinematic;
   bool flags = true;
   int audience = 0;
@@ -116,14 +116,14 @@ struct SceneDescription {
 
   /// The robots of both groups in the world's order: the active ones first.
   std::vector<const SceneRobot*> allRobots() const;
-  /// A path of the scene as a path from where the program runs.
+  /// A path relative to the scene's folder as a path relative to the working directory.
   std::string resolve(const std::string& path) const;
   /// The error about a file, or the folder of the configuration, that an attribute names.
   Error missing(const std::string& named, const FilePlace& place,
                 const std::string& attribute) const;
-  /// The script to begin with, as a path from where the program runs: the scene's, with .con if it
-  /// has no extension, or console.con beside the scene if there is one (report I.4); empty if there
-  /// is none.
+  /// The script to begin with, as a path relative to the working directory: the scene's, with .con
+  /// if it has no extension, or console.con beside the scene if there is one (report I.4); empty if
+  /// there is none.
   std::string startScript() const;
 
   static constexpr auto fields() {
@@ -147,22 +147,22 @@ struct SceneDescription {
   }
 };
 
-/// Most robots of a scene, active and passive together.
+/// Greatest number of robots of a scene, active and passive together.
 constexpr std::size_t maxSceneRobots = 22;
 constexpr std::size_t maxSceneBalls = 100;
-/// Most pixels of an image in each direction: each robot has such images.
+/// Greatest width and height of the robots' images (pixels).
 constexpr int maxImageSize = 1280;
 
 /// Reads a scene file; the schema is scenes/scene.xsd. Errors name file, line and element or
 /// attribute. The models that the scene names are read by `composeModel`.
 Result<SceneDescription> loadScene(const std::string& path);
-/// The same, but adds all errors to a list and returns what was right.
+/// As above, but adds all errors to a list and returns all that was read without error.
 SceneDescription loadScene(const std::string& path, std::vector<Error>& errors);
 
-/// Looks for the files and folders that a scene names beside its models: configuration, script,
-/// layouts. Errors name the scene and the line.
+/// Checks that the files and folders exist that a scene names beside its models: configuration,
+/// script, layouts. Errors name the scene and the line.
 Result<void> findSceneFiles(const SceneDescription& scene);
-/// The same, but adds all errors to a list.
+/// As above, but adds all errors to a list.
 void findSceneFiles(const SceneDescription& scene, std::vector<Error>& errors);
 
 }  // namespace gt

@@ -16,7 +16,7 @@ xmlNode* addElement(xmlNode* parent, const char* name) {
   return xmlNewChild(parent, nullptr, BAD_CAST name, nullptr);
 }
 
-/// Joins models to one document, and collects what is wrong with them or left out of them.
+/// Joins models to one document, and collects errors and warnings about parts that are left out.
 class Composer {
  public:
   Composer(const SceneDescription& scene, const Random& audience, std::vector<Error>& findings)
@@ -92,7 +92,7 @@ bool Composer::isRight() const {
                               [](const Error& e) { return e.severity == Severity::error; });
 }
 
-/// Reads all files, the others even if one is wrong.
+/// Reads all files, even if one of them has errors.
 void Composer::readSources() {
   if (isThere(scene_.field, scene_.fieldPlace, "field"))
     field_ = readFieldSource(scene_, audience_, findings_);
@@ -112,7 +112,8 @@ std::vector<const ModelSource*> Composer::allSources() const {
   return all;
 }
 
-/// Meshes are prepared as they are joined, so all files must want that in the same manner.
+/// Sets an option for meshes. Meshes are compiled in the joined model, so all files must state the
+/// same value.
 void Composer::addMeshOption(xmlNode* compiler, const char* name, const char* usual) {
   for (const ModelSource* source : allSources()) {
     if (source->alone->nmesh == 0) continue;
@@ -130,7 +131,8 @@ void Composer::addMeshOption(xmlNode* compiler, const char* name, const char* us
   }
 }
 
-/// A compiler under which whatever is right alone is right. The numbers are not its own.
+/// Adds a compiler under which every file that is valid alone is valid. The model's numbers do not
+/// come from it.
 void Composer::addCompiler() {
   xmlNode* compiler = addElement(root_, "compiler");
   setAttribute(compiler, "angle", "degree");
@@ -217,7 +219,8 @@ void Composer::addBody(const std::string& file, const std::string& name, TeamCol
       setMainClass(add(root_, section, prefixes), prefixes);
 }
 
-/// Where parts that are left out or melted into others by a compiler are missed.
+/// The error about a file whose parts do not fit those of the joined model, because its compiler
+/// leaves parts out or fuses them.
 Error Composer::misfit(const ModelSource& source) const {
   for (const char* name : {"discardvisual", "fusestatic"})
     if (source.file.compilerAttribute(name) == "true")
@@ -228,8 +231,8 @@ Error Composer::misfit(const ModelSource& source) const {
                         "cannot be joined to the scene: it consists of other parts there");
 }
 
-/// Has MuJoCo derive again what follows from numbers that were changed. What the field states about
-/// the whole is kept.
+/// Lets MuJoCo derive again the values that depend on changed numbers. Statistics that the field's
+/// file states are kept.
 void Composer::deriveConstants(mjModel& model) const {
   const mjStatistic before = model.stat;
   mj_setConst(&model, makeData(model).get());
@@ -243,7 +246,7 @@ void Composer::deriveConstants(mjModel& model) const {
   }
 }
 
-/// Compiles the document, and copies into the model what MuJoCo made of each file alone.
+/// Compiles the document, and copies into the model the numbers of each file compiled alone.
 Result<Model> Composer::compileWhole() {
   auto whole = compileModel(xmlText(*document_), scene_.file);
   if (!whole)

@@ -15,15 +15,15 @@ namespace gt {
 /// ("ers210/gray"); the color class of a material is what stands behind the last slash, up to a
 /// dot. Robots of the blue team wear "blue" where the model names "red".
 ///
-/// The text only says what there is. Each file is also compiled alone, under its own compiler and
-/// defaults, and all its numbers are copied from there: so it means in a scene what it means alone.
-/// Of a robot or ball its first body comes into the scene, with its contacts, equalities, tendons
-/// and sensors. For what is left out, `warnings` gets a line each. `audience` places the people
-/// behind the outer wall.
+/// The joined text only determines which things the model has. Each file is also compiled alone,
+/// under its own compiler and defaults, and all its numbers are copied from there: so a file has
+/// the same effect in a scene as alone. Of a robot's or ball's file, the first body comes into the
+/// scene, with its contacts, equalities, tendons and sensors. `warnings` gets a line for each part
+/// that is left out. `audience` places the people behind the outer wall.
 Result<Model> composeModel(const SceneDescription& scene, const Random& audience = Random{},
                            std::vector<Error>* warnings = nullptr);
-/// Looks for all that keeps a scene's model from being made or is left out of it, and adds it to a
-/// list.
+/// Adds to `findings` all errors that keep a scene's model from being composed, and warnings about
+/// parts that are left out of it.
 void checkModel(const SceneDescription& scene, std::vector<Error>& findings);
 
 }  // namespace gt

@@ -37,7 +37,7 @@ const xmlNode* following(const xmlNode* node) {
   return node;
 }
 
-/// Goes through the text of an XML file and returns where things begin.
+/// Scans the text of an XML file and returns the places at which nodes begin.
 class XmlScan {
  public:
   explicit XmlScan(std::string_view text) : text_{text} {}
@@ -45,7 +45,7 @@ class XmlScan {
   FilePlace place() const { return {line_, column_}; }
   bool ended() const { return at_ >= text_.size(); }
   bool sees(std::string_view begin) const { return text_.substr(at_).starts_with(begin); }
-  /// Advances by so many bytes.
+  /// Advances by a number of bytes.
   void skip(std::size_t bytes) {
     const std::size_t end = std::min(text_.size(), at_ + bytes);
     for (; at_ < end; ++at_) {

@@ -18,11 +18,11 @@ struct XmlDocumentDeleter {
 };
 using XmlDocument = std::unique_ptr<xmlDoc, XmlDocumentDeleter>;
 
-/// Reads an XML file whose root element bears a name, or any if that is empty. Nothing is fetched
-/// from the net, entities are not expanded.
+/// Reads an XML file. Fails if the root element has another name than `root`, unless `root` is
+/// empty. Nothing is fetched from the net, entities are not expanded.
 Result<XmlDocument> readXml(const std::string& path, const std::string& root);
 
-/// The document that a text is; null if it is none.
+/// Parses a text; null if it is no XML document.
 XmlDocument parseXml(const std::string& text);
 
 /// A document as text: each element without text begins a line.
@@ -40,7 +40,7 @@ void setAttribute(xmlNode* node, const char* name, const std::string& value);
 /// An element's line in its file.
 int lineOf(const xmlNode* node);
 
-/// The elements in an element.
+/// The child elements of an element.
 std::vector<xmlNode*> elementsOf(const xmlNode* parent);
 
 /// Calls visit(element) for an element and all below it, in the order of the file.
@@ -51,10 +51,11 @@ void forEachElement(Node* node, const Visit& visit) {
   for (Node* child = node->children; child; child = child->next) forEachElement(child, visit);
 }
 
-/// Where the elements, attributes and texts of a document begin: libxml2 reports lines only.
+/// The lines and columns at which the elements, attributes and texts of a document begin: libxml2
+/// reports lines only.
 class XmlPlaces {
  public:
-  /// The document was read from a file of this text.
+  /// `text` is the content of the file from which the document was read.
   XmlPlaces(const xmlDoc& document, std::string_view text);
 
   FilePlace of(const xmlNode* node, const std::string& attribute = "") const;

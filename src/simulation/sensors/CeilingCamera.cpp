@@ -3,7 +3,7 @@
 namespace gt {
 namespace {
 
-/// The part of a robot that hides a ball: seen from above, the ball is below it.
+/// The part of a robot that hides a ball below it, seen from above.
 constexpr double bodyLength = 150, bodyWidth = 70;  // mm, from the middle
 
 bool isUnderRobot(const Vector2d& ball, const Pose2D& robot) {

@@ -15,8 +15,8 @@ class CeilingCamera {
   CeilingCamera(const CeilingCameraParameters& parameters, const std::vector<Player>& players,
                 const Random& random);
 
-  /// Looks at the world after a tick. Returns whether it was time for an image; then the percept is
-  /// filled.
+  /// Takes an image of the world after a tick if one is due. Returns whether it did; only then the
+  /// percept is filled.
   bool look(const World& world, CeilingCameraPercept& percept);
   const CeilingCameraParameters& parameters() const { return parameters_; }
 
@@ -27,7 +27,7 @@ class CeilingCamera {
   CeilingCameraParameters parameters_;
   std::vector<Player> players_;
   Random random_;
-  Vector2d scale_, offset_;  ///< Errors that stay the same.
+  Vector2d scale_, offset_;  ///< Constant errors of the calibration.
   Time next_;
 };
 

@@ -9,7 +9,7 @@
 namespace gt {
 namespace {
 
-constexpr std::int64_t lost = 500;  // ms: what was not seen for so long begins anew
+constexpr std::int64_t lost = 500;  // ms without observation after which a track begins anew
 
 }  // namespace
 
@@ -86,7 +86,7 @@ Result<std::vector<CeilingCameraPercept>> readCeilingLog(const std::string& path
       return Error{.file = path, .field = ceilingTopic, .what = done.error().what};
     percepts.push_back(std::move(percept));
   }
-  // It is the truth that others are measured against, so it must be whole.
+  // The log is the reference that others are measured against, so it must be complete.
   if (!reader->damage().empty()) return reader->damage().front();
   return percepts;
 }

@@ -11,13 +11,15 @@
 
 namespace gt {
 
-/// Follows robots and ball through the images of a camera at the ceiling, and provides what an
-/// oracle would: for experiments where nobody knows the truth (report 6.2.2).
+/// Tracks robots and ball through the images of a camera at the ceiling, and provides the result as
+/// an oracled world state, for experiments without knowledge of the truth (report 6.2.2).
 class CeilingTracker {
  public:
+  /// Updates the tracks; observations that are no numbers or of no robot of a team are ignored.
   void update(const CeilingCameraPercept& percept);
-  /// Fills in the world as it is now for a robot; false if that was not seen for half a second.
-  /// What was not seen lately is left out; the ball stays where it was seen last.
+  /// Fills `state` with the world at the time `now`, in the team's coordinates. Returns false if
+  /// the robot was not seen for half a second. Other robots that were not seen in that time are
+  /// left out; a ball that was not seen in that time rests at its last position.
   bool fill(TeamColor team, int number, Time now, OracledWorldState& state) const;
 
  private:
@@ -41,7 +43,8 @@ class CeilingTracker {
 /// The topic of a CeilingCameraPercept in a log.
 constexpr const char* ceilingTopic = "/CeilingCameraPercept";
 
-/// Reads a log of a camera at the ceiling, simulated or real.
+/// Reads a log of a camera at the ceiling, simulated or real. Returns an error if the log lacks the
+/// topic or cannot be read as a whole.
 Result<std::vector<CeilingCameraPercept>> readCeilingLog(const std::string& path);
 
 }  // namespace gt

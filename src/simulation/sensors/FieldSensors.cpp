@@ -38,12 +38,12 @@ Pose3D lookingAhead(const Pose3D& site) {
   return {axes, site.translation};
 }
 
-/// A unit vector to the left and up of ahead, by these angles.
+/// A unit vector that points to the left and up from straight ahead, by these angles.
 Vector3d ray(const Pose3D& pose, double left, double up) {
   return pose.rotation * (rotationZ(left) * rotationY(-up) * Vector3d::UnitX());
 }
 
-/// The nearest surface in a cone, by rays on rings about its axis.
+/// The distance of the nearest surface in a cone, by rays on rings about its axis.
 template <typename Distance>
 double nearestInCone(const Pose3D& pose, double halfAngle, const Distance& distance) {
   constexpr int rings = 4, spokes = 12;
@@ -63,7 +63,7 @@ void copyTo(std::vector<double>& value, const Vector3d& numbers) {
   std::copy_n(numbers.data(), 3, value.begin());
 }
 
-/// What follows from how the site moved in the last tick.
+/// Measures the values that depend on the motion of the site in the last tick.
 void measureMotion(const Pose3D& pose, FieldSensors::Sensor& sensor) {
   const bool known = sensor.seen >= 1;
   const Vector3d speed =

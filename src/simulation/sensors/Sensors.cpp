@@ -39,7 +39,7 @@ void Sensors::read(const World& world, std::size_t robot, SensorData& readings) 
 
 namespace {
 
-/// A ray through the world, in meters, and how far away is what it meets first.
+/// A ray through the world, in meters, and the distance of the first surface that it meets.
 class Ray {
  public:
   Ray(const World& world, const Vector3d& start, const Vector3d& direction, double range)
@@ -51,7 +51,7 @@ class Ray {
     if (along_.z() < 0) nearest_ = std::min(nearest_, -from_.z() / along_.z());  // the floor
   }
 
-  /// Whether it may meet something in a sphere before what it meets first so far.
+  /// Whether it may meet something in a sphere before the first surface found so far.
   bool mayMeet(const mjtNum* center, double radius) const {
     const Vector3d d = Eigen::Map<const Vector3d>{center} - from_;
     const double ahead = d.dot(along_);

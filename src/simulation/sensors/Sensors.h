@@ -9,13 +9,12 @@
 
 namespace gt {
 
-/// Measures for one robot what its body's sensors would measure, with noise of its own
-/// (report 5.1.1).
+/// Simulates the sensors of one robot's body, with noise of its own (report 5.1.1).
 class Sensors {
  public:
   Sensors(const NoiseParameters& noise, const Random& random, const RobotBuild& build = {});
 
-  /// The readings of this tick. May run for several robots at once: the world is only read.
+  /// Fills the readings of this tick. May run for several robots at once: the world is only read.
   void read(const World& world, std::size_t robot, SensorData& readings);
 
   /// Presses or releases a switch by hand (report I.3); paws are also pressed by the ground.
@@ -27,7 +26,7 @@ class Sensors {
   double tailPush() const { return tailPush_; }
 
   const RobotBuild& build() const { return build_; }
-  /// How noisy they are from now on, and of which robot.
+  /// Changes the noise, and the build of the robot, from now on.
   void change(const NoiseParameters& noise, const RobotBuild& build) {
     noise_ = noise;
     build_ = build;
@@ -37,17 +36,17 @@ class Sensors {
   NoiseParameters noise_;
   Random random_, reflections_;
   RobotBuild build_;
-  JointAngles geared_{};  ///< Where the sensors' sides of the joints are: rad.
+  JointAngles geared_{};  ///< Angles at the sensors' sides of the joints' backlash (rad).
   EnumArray<Switch, bool> pressed_;
   double tailPush_ = 0;
 };
 
-/// How far it is from a point on the field along a direction to the first thing, at most `range`
-/// (mm). `passes` returns whether a geom is transparent.
+/// Distance (mm) from a point on the field (mm) along a unit vector to the first surface, at most
+/// `range` (mm). `passes` returns whether a geom is transparent.
 double rayDistance(const World& world, const Vector3d& from, const Vector3d& direction,
                    double range, const std::function<bool(int geom)>& passes);
 
-/// How far it is from a robot's distance sensor to the first thing ahead, at most `range` (mm).
+/// Distance (mm) from a robot's distance sensor to the first surface ahead, at most `range` (mm).
 /// The robot's own body is transparent.
 double rayDistance(const World& world, std::size_t robot, double range);
 

@@ -148,7 +148,7 @@ void Actuators::move(World& world, Actuator& actuator) {
   if (!still && !isFree(now)) {
     actuator.executed = false;
     world.moveJoint(actuator.joint, {before.data(), count});
-    // As near to what is in the way as a part of the tick brings it.
+    // As near to the obstacle as a part of the tick brings it.
     std::array<Coordinates, 4> nearer;
     double share = 0.5;
     for (Coordinates& there : nearer)

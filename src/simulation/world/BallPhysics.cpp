@@ -7,27 +7,27 @@
 namespace gt {
 namespace {
 
-/// Balls that are further away from all that a robot can reach do not touch it in the next tick
-/// (mm).
+/// Balls that are further away than this from all points a robot can reach do not touch the robot
+/// in the next tick (mm).
 constexpr double mayTouchWithin = 600;
-/// Robots push a ball out of themselves by at most this in a tick, so that it never gets so deep
-/// into a wall that it would leave it on the far side (mm).
+/// Greatest distance by which a robot pushes a ball out of itself in a tick (mm), so that the ball
+/// never gets so deep into a wall that it would leave the wall on the far side.
 constexpr double longestPush = 25;
 /// A part whose contact normal is steeper than this presses the ball down and does not push it.
 constexpr double flattestNormal = 0.3;
-/// How a contact pushes a ball along the ground.
+/// A contact that pushes a ball along the ground.
 struct Push {
   Vector2d normal;
   double depth;  ///< mm
 };
-/// Empty if it does not.
+/// The push by a contact; empty if it does not push along the ground.
 std::optional<Push> pushOf(const mjContact& contact) {
   const Vector2d toBall{-contact.frame[0], -contact.frame[1]};
   const double flat = toBall.norm();
   if (contact.dist >= 0 || flat < flattestNormal) return std::nullopt;
   return Push{toBall / flat, -1000 * contact.dist / flat};
 }
-/// The fastest that a part of a robot can be (mm/s).
+/// Greatest speed of a part of a robot (mm/s).
 constexpr double fastestSurface = 3000;
 
 }  // namespace

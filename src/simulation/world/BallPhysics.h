@@ -10,11 +10,11 @@
 namespace gt {
 
 /// Moves a ball on the ground: it rolls, slows down, bounces off walls, and is pushed and kicked by
-/// whatever part of a robot touches it. MuJoCo computes where sphere and geoms touch; pairs are
-/// chosen here, by distance.
+/// any part of a robot that touches it. MuJoCo computes where sphere and geoms touch; this class
+/// chooses the pairs by distance.
 class BallPhysics {
  public:
-  /// What a ball can meet in this tick.
+  /// The things that a ball can meet in this tick.
   struct Surroundings {
     const std::vector<RobotParts>& parts;
     const std::vector<RobotBody>& robots;
@@ -29,23 +29,23 @@ class BallPhysics {
   void change(const BallParameters& parameters) { parameters_ = parameters; }
   double deceleration() const { return parameters_.deceleration; }
 
-  /// Keeps, at the end of a tick, the poses of the parts that a ball may meet in the next one;
-  /// their speeds follow from them.
+  /// Stores, at the end of a tick, the poses of the parts that a ball may meet in the next one. The
+  /// parts' speeds are computed from them.
   void rememberGeoms(const mjData& data, std::span<const RobotParts> parts,
                      std::span<const RobotBody> robots, std::span<const BallState> balls);
 
   /// Moves the ball by one tick. `data` holds the robots' poses after their own motion; the ball's
-  /// own place in it is used for the tests.
+  /// own pose in it is overwritten by the tests for contacts.
   void step(BallState& ball, const BallParts& parts, mjData& data, const Surroundings& around);
 
-  /// Whether a robot would push the ball as their geoms lie: overlaps it by more than a depth (mm).
+  /// Whether a robot overlaps the ball by more than a depth (mm), so that it would push the ball.
   bool overlaps(const BallParts& ball, const mjData& data, const RobotParts& robot,
                 double depth) const;
 
  private:
   bool touchRobots(BallState& ball, const BallParts& parts, mjData& data,
                    const Surroundings& around, double& pushLeft);
-  /// Where the ball's geom and another one touch; returns in how many points.
+  /// Finds where the ball's geom and another one touch; returns the number of contacts.
   int contactsWith(const mjData& data, int ballGeom, int geom, mjContact* contacts) const;
   bool touchGeom(BallState& ball, const BallParts& parts, mjData& data, int geom, bool still,
                  const Vector2d& robotCenter, double& pushLeft);

@@ -20,7 +20,8 @@ constexpr double fastest = 20, widestTurn = 100;  // m/s, rad/s: no body moves f
 constexpr double fastestRobot = 2;                // m/s: as after a fall from 20 cm
 constexpr double rollingMass = 1.4;  // share of its mass that a rolling ball's inertia feels like
 
-// What a geom is, as bits of its contype: one for each robot, since all meet all others.
+// Bits of a geom's contype, which state what it is: one for each robot, since all robots collide
+// with all others.
 constexpr int floorBit = 1, wallBit = 2, ballBit = 4, firstRobotBit = 8;
 static_assert(maxSceneRobots <= 28);
 
@@ -62,7 +63,7 @@ Result<std::unique_ptr<World>> DynamicWorld::make(const SceneDescription& scene,
   world->prepareModel(random);
   world->prepareContacts();
   world->setDynamics(scene.dynamics);
-  // As they stand up from the power-on pose: on straight legs.
+  // The robots begin as they would stand up from the power-on pose: on straight legs.
   world->putAll();
   world->putByHand();
   for (std::size_t i = 0; i < world->robots_.size(); ++i) world->readRobot(i);
@@ -103,7 +104,7 @@ void DynamicWorld::setDynamics(const DynamicsParameters& dynamics) {
     for (Servo& servo : motors_[i].servos) servo.setStrength(dynamics.strength);
   }
   dynamics_ = dynamics;
-  // What MuJoCo derives from masses is derived in a state of its own: this one goes on.
+  // MuJoCo derives values from masses in a separate state, so that this one is not changed.
   const ModelData scratch = makeData(model);
   mj_setConst(&model, scratch.get());
 }
@@ -150,7 +151,7 @@ void DynamicWorld::prepareContacts() {
 }
 
 void DynamicWorld::lookAround() {
-  // MuJoCo tests each geom against each other that its bits allow, so they allow only what is near.
+  // MuJoCo tests all pairs of geoms that their bits allow, so the bits allow only near ones.
   // It also sorts all bodies that could touch any other, so walls are solid only if one is near.
   constexpr double furthest = 1000 * fastest * tickSeconds;  // mm: way of a ball in a tick
   bool anyWall = false;
@@ -271,8 +272,8 @@ void DynamicWorld::drag(std::size_t robot, const Pose2D& step) {
 }
 
 void DynamicWorld::holdRobots() {
-  // A robot that was switched on is put down once its legs have come to where they shall be, also
-  // where somebody has put it meanwhile; one that was thrown lies.
+  // A robot that was switched on is put down once its legs have reached their targets, even if it
+  // was put elsewhere meanwhile; a robot that was thrown over lies.
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     Motors& motors = motors_[i];
     JointAngles& angles = robots_[i].joints;
@@ -311,7 +312,7 @@ void DynamicWorld::putByHand() {
 void DynamicWorld::putBall(std::size_t i) {
   const BallState& ball = balls_[i];
   writeBall(i);
-  // It rolls. The turn of a body that is free to move is along its own axes.
+  // The ball rolls. The turn of a free body is along its own axes.
   const Vector3d turn = Vector3d{-ball.speed.y(), ball.speed.x(), 0} / ballParts_[i].radius;
   const int body = ballParts_[i].body;
   mjtNum* speed = data_->qvel + model_->body_dofadr[body];
@@ -452,8 +453,8 @@ void DynamicWorld::meet(std::size_t robot, int other) {
 }
 
 void DynamicWorld::undoIfBroken() {
-  // MuJoCo starts anew from the model's pose when numbers diverge; then all resumes from
-  // where it last was, at rest.
+  // MuJoCo resets to the model's pose when numbers diverge; then everything resumes from its last
+  // good position, at rest.
   const auto coordinates = static_cast<std::size_t>(model_->nq);
   bool broken = false;
   for (const mjtWarning warning : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC}) {
@@ -476,7 +477,7 @@ void DynamicWorld::undoIfBroken() {
 }
 
 void DynamicWorld::slowDown(int poseAddress, int body) {
-  // Whoever is squeezed is pushed out of what it is in, and may be shot across the field.
+  // A squeezed body is pushed out of the others, and may be shot across the field.
   mjtNum* speed = data_->qvel + model_->body_dofadr[body];
   const double tooFast =
       std::max(threeOf(speed).norm() / fastest, threeOf(speed + 3).norm() / widestTurn);

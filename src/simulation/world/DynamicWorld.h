@@ -13,10 +13,10 @@
 namespace gt {
 
 /// The dynamic fidelity: servo motors, masses, contacts and friction move everything, by MuJoCo.
-/// Robots walk with their legs, kick with their bodies, can fall over and get up; what a robot
-/// believes to walk moves nothing, but the carpet drags at who walks (StepNoise). Geoms that touch
-/// others are those that the models mark by `contype`; the parts of one robot do not touch each
-/// other.
+/// Robots walk with their legs, kick with their bodies, can fall over and get up. The step that a
+/// robot believes to make does not move it, but the carpet drags at a robot that walks (StepNoise).
+/// Geoms collide if the models mark them by `contype`; the parts of one robot do not collide with
+/// each other.
 class DynamicWorld : public World {
  public:
   static Result<std::unique_ptr<World>> make(const SceneDescription& scene, Model model,
@@ -27,14 +27,14 @@ class DynamicWorld : public World {
   void change(const SceneDescription& scene) override;
 
  private:
-  /// A robot's motors, and what is to be known of it for measuring.
+  /// A robot's motors, and the state that its measurements need.
   struct Motors {
     StepNoise noise;
     std::vector<Servo> servos{};  ///< In the order of Joint.
     std::vector<int> solidGeoms{};
     int firstDof = 0;  ///< Of the body; those of the joints follow it.
     Vector3d speed = Vector3d::Zero();
-    /// Ticks for which its legs have rested since it was switched on; it is held until then.
+    /// Ticks for which its legs have rested since it was switched on; the robot is held at first.
     int rested = 0;
   };
 
@@ -49,15 +49,15 @@ class DynamicWorld : public World {
   void prepareModel(const Random& random);
   void prepareContacts();
   void lookAround();
-  /// Whether a wall comes nearer to a point of the field (mm) than a distance (mm), or about so.
+  /// Whether a wall is nearer to a point on the field (mm) than a distance (mm), approximately.
   bool wallIsNear(int wall, const Vector2d& point, double distance) const;
   int jointDof(std::size_t robot, std::size_t joint) const;
   void setFriction();
   void setDynamics(const DynamicsParameters& dynamics);
   void drive();
-  /// Has the carpet's dents pull at balls that roll.
+  /// Pulls rolling balls into the carpet's dents.
   void pullBalls();
-  /// Moves a robot as the carpet drags at it while it believes to make this step.
+  /// Moves a robot as the carpet drags at it while it believes to make `step` (mm, rad).
   void drag(std::size_t robot, const Pose2D& step);
   void holdRobots();
   void putByHand();
@@ -67,21 +67,21 @@ class DynamicWorld : public World {
   void readRobot(std::size_t i);
   void readBall(std::size_t i);
   void forgetContacts();
-  /// Adds what touches in this step of the physics.
+  /// Adds the contacts of this step of the physics.
   void readContacts();
-  /// Notes for the robot that the first geom is part of what it touches.
+  /// Notes for the robot of the first geom that it touches the other one.
   void touch(int geom, int other);
-  /// A robot touches another one, or a wall (-1).
+  /// Notes that a robot touches another one, or a wall (-1).
   void meet(std::size_t robot, int other);
   void undoIfBroken();
-  /// Puts a body that moves as nothing can back to where it was before the tick, at rest.
+  /// Puts a body that moves impossibly fast back to where it was before the tick, at rest.
   void slowDown(int poseAddress, int body);
   Vector3d speedOf(std::size_t robot) const;
 
   NoiseParameters noise_;
   BallParameters ballParameters_;
   std::uint64_t carpetSeed_;
-  DynamicsParameters dynamics_;  ///< As the model is now.
+  DynamicsParameters dynamics_;  ///< That the model has now.
   std::vector<Motors> motors_;
   std::vector<int> walls_;             ///< Solid geoms that stand still, but for floors.
   std::vector<int> robotOfBody_;       ///< By root body; -1: none.

@@ -5,10 +5,9 @@
 
 namespace gt {
 
-/// The free place (mm) that is nearest to the one that was asked for: that one, if it is free.
-/// Looks in rings around it, along 48 directions, as near along each as `precise`, and leaves a gap
-/// to what is in the way if there is room for it.
-/// Returns the place that was asked for if there is no free one within `furthest`.
+/// The free place (mm) nearest to `asked`; `asked` itself if it is free. Searches rings around it
+/// along 48 directions, each to a precision of `precise`, and leaves a gap to what is in the way if
+/// there is room for it. Returns `asked` if there is no free place within `furthest`.
 template <typename IsFree>
 Vector2d nearestFree(const Vector2d& asked, const IsFree& isFree) {
   constexpr int directions = 48;

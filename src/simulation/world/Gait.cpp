@@ -15,26 +15,26 @@ constexpr double usualSpeed = 200;  // mm/s: at which the swaying is that of the
 // it is lifted, and rises and sinks less than the legs do.
 constexpr double rollLift = 8;                                                      // mm
 constexpr double rollTime = 0.02, nodTime = 0.03, heightTime = 0.08, meanTime = 1;  // s
-/// By which the body sinks while the robot stands, and while it walks for each mm by which feet are
-/// lifted on average, as multiples of the scene's height.
+/// How far the body sinks while the robot stands, and while it walks for each mm of the feet's mean
+/// lift, as multiples of the scene's `swayHeight`.
 constexpr double sinkingStand = 1.3, sinkingWalk = 0.24, sinkingTime = 0.3;  // s
-/// How it leans to its nose while the robot walks, and more if it walks ahead, less if back: as
-/// multiples of the scene's tilt.
+/// How far the body leans to its nose while the robot walks, and how much more if it walks ahead
+/// (less if back), as multiples of the scene's `swayTilt`.
 constexpr double leanWalk = 0.6, leanAhead = 1.05;
 /// The standard deviations of roll, nod (mm) and level in the walk `normal`.
 constexpr double usualRoll = 0.8, usualNod = 0.91, usualLevel = 0.28;
 constexpr double heightGrowth = 0.2;  ///< The exponent of the height's growth with the speed.
 constexpr double slowGrowth = 0.25;   ///< That of lean and roll, up to the usual speed.
-/// Without rule: as shares of the above in a stroke of the usual length, growing with its fourth
-/// power. A stroke is the way that the body goes while a foot stands.
+/// The irregular part of the sway: shares of the above in a stroke of the usual length, which grow
+/// with its fourth power. A stroke is the distance that the body moves while a foot stands.
 constexpr double irregularTilt = 0.28, irregularRoll = 0.11, irregularHeight = 0.37;
 constexpr double usualStroke = 28, longestStroke = 42;  // mm: none was measured beyond.
 constexpr double strokeShare = 0.2;                     ///< Of each new stroke in their mean.
 constexpr double lifted = 1;                            // mm: a foot stands that is lower.
-/// How long the irregular part keeps its direction: half of a step.
+/// Time for which the irregular part keeps its direction: half of a step.
 constexpr double wanderTime = 0.15;  // s
 
-/// Moves a number towards another one, a tick on.
+/// Moves a number towards another one for a tick, with a time constant (s).
 void approach(double& number, double other, double seconds) {
   number += (1 - std::exp(-tickSeconds / seconds)) * (other - number);
 }

@@ -7,48 +7,50 @@
 
 namespace gt {
 
-/// How far a body is from where stiff legs would hold it.
+/// Deviation of a body from the pose in which stiff legs would hold it.
 struct Sway {
   double tilt = 0, roll = 0;  ///< rad, + nose up, + right side down
   double height = 0;          ///< mm
 };
 
-/// What a robot's legs do to its way and to its body beside what it believes: they give at each
-/// step, so that the body sways, and slip on the carpet. Of one robot, in the kinematic fidelity.
+/// Effects of one robot's legs on its path and its body that the robot does not know of: the legs
+/// give at each step, so that the body sways, and they slip on the carpet. Kinematic fidelity only.
 class Gait {
  public:
   explicit Gait(const Random& random) : random_{random} {}
 
-  /// How the body sways in this tick: with the lifted feet, and without rule. `lifts` are the
-  /// feet's heights above the lowest one (mm), in the order of Leg; `height` is where stiff legs
-  /// hold the body (mm); `speed` is the robot's (mm/s, a turn of 1 rad/s counts as 100 mm/s), and
-  /// `ahead` the share of it that is straight ahead (-1 to 1).
+  /// Computes the sway of the body in this tick, which has a part that follows the lifted feet and
+  /// an irregular one. `lifts` are the feet's heights above the lowest one (mm), in the order of
+  /// Leg; `height` is the height at which stiff legs hold the body (mm); `speed` is the robot's
+  /// (mm/s, a turn of 1 rad/s counts as 100 mm/s), and `ahead` the share of it that is straight
+  /// ahead (-1 to 1).
   const Sway& sway(const BodyParameters& body, const std::array<double, 4>& lifts, double height,
                    double speed, double ahead);
-  /// How it sways now.
+  /// The present sway.
   const Sway& sway() const { return now_; }
 
-  /// The share of its path that a robot really goes which believes to have this speed (mm/s).
+  /// The share of its path that a robot really walks if it believes to have `speed` (mm/s).
   double progress(const WalkingParameters& walking, double speed);
-  /// By how much the robot turns in this tick because something is in its way (rad).
+  /// The turn of the robot in this tick (rad) caused by something in its way.
   double contactTurn(const WalkingParameters& walking, bool blocked);
-  /// What the body feels of something in its way beside gravity (mm/s^2): its feet slip and bump.
+  /// The acceleration that the body feels beside gravity (mm/s^2) when something is in its way,
+  /// because its feet slip and bump.
   Vector3d contactShaking(const WalkingParameters& walking, bool blocked);
 
  private:
-  /// Goes on for a tick; `uneven` is how much higher one side or diagonal is lifted (mm).
+  /// Advances by a tick; `uneven` is how much higher one side or diagonal is lifted (mm).
   void follow(double uneven, double height);
-  /// Notices which feet stand and for how long.
+  /// Updates which feet stand and for how long.
   void stand(const std::array<double, 4>& lifts);
 
   Random random_;
   Sway now_;
-  double sides_ = 0, diagonals_ = 0;   ///< mm: how far they are lifted on average.
+  double sides_ = 0, diagonals_ = 0;   ///< mm: mean lift of a side or diagonal.
   double rolls_ = 0;                   ///< -1 to 1, to the side with less below it.
-  std::array<double, 4> nods_{};       ///< mm: follow one another and how high feet are lifted.
+  std::array<double, 4> nods_{};       ///< mm: a chain of filters that follows the feet's lift.
   double level_ = 0, meanLevel_ = 0;   ///< 0 to 1: how far one side is lifted.
   std::array<double, 4> stands_{};     ///< s: for how long each foot has stood.
-  double stance_ = 0;                  ///< s: for which feet stand between two steps.
+  double stance_ = 0;                  ///< s: time for which feet stand between two steps.
   double walks_ = 0, walksAhead_ = 0;  ///< 0 to 1, -1 to 1
   double height_ = -1;                 ///< mm, as legs that give carry it; below 0: not yet known.
   double wanderTilt_ = 0, wanderRoll_ = 0, wanderHeight_ = 0;  ///< Standard deviation 1.

@@ -14,9 +14,9 @@ namespace {
 constexpr double footprintRadius = RobotFootprint::radius;
 constexpr auto footprintX = RobotFootprint::middles;
 
-/// How joints move whose servos nothing loads.
+/// The motion of a joint without load in a tick.
 struct FreeMotion {
-  double share;    ///< of the way to its target, in a tick
+  double share;    ///< of the distance to its target, in a tick
   double fastest;  ///< rad, in a tick
 };
 
@@ -35,7 +35,7 @@ EnumArray<Joint, FreeMotion> freeMotions() {
 const GroundPoint chest{{66, 0, -12}, 28}, rump{{-82, 0, -38}, 0};
 constexpr double kneeRadius = 14;
 
-/// A faster ball is not where a kick will play it.
+/// Greatest speed of a ball that a kick can play: a faster one is not where the kick will play it.
 constexpr double slowBall = 100;  // mm/s
 
 Vector2d disc(const Pose2D& pose, double x) {
@@ -246,7 +246,7 @@ void KinematicWorld::partRobots() {
     bool touched = false;
     for (std::size_t a = 0; a < robots_.size(); ++a)
       for (std::size_t b = a + 1; b < robots_.size(); ++b) touched |= partPair(a, b);
-    // Walls come last: whatever robots do to each other, none is pushed through.
+    // Walls come last, so that no robot is pushed through one by others.
     for (std::size_t i = 0; i < robots_.size(); ++i) {
       if (!mayMeetObstacle(i)) continue;
       RobotBody& robot = robots_[i];
@@ -297,7 +297,7 @@ void KinematicWorld::setStance(std::size_t i, bool goesOn) {
     robot.tilt = stance.tilt + sway.tilt;
     robot.roll += sway.roll;
   }
-  // The body's own motion is not felt, but for what is in its way: it follows no forces.
+  // Only things in the way are felt, not the body's own motion, which follows no forces.
   robot.specificForce = robot.origin().rotation.transpose() * Vector3d{0, 0, 9810};
   if (goesOn)
     robot.specificForce += walking_[i].gait.contactShaking(walkingParameters_, robot.blocked);

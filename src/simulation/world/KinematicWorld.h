@@ -27,19 +27,19 @@ class KinematicWorld : public World {
   }
 
  private:
-  /// How a robot's steps differ from what it believes.
+  /// Differences of a robot's real steps from those it believes to make.
   struct Walking {
-    double forward = 1, sideways = 1, turn = 1;
+    double forward = 1, sideways = 1, turn = 1;  ///< Factors on its steps.
     StepNoise noise;
     Gait gait;
     double speed = 0;  ///< mm/s, as it believes; a turn of 1 rad/s counts as 100 mm/s.
-    double ahead = 0;  ///< The share of it that is straight ahead; below 0: straight back.
+    double ahead = 0;  ///< The share of `speed` that is straight ahead; below 0: straight back.
   };
 
   KinematicWorld(const SceneDescription& scene, Model model, const Random& random);
 
-  /// A place, and how far it is from there to the nearest obstacle (mm): until a robot has gone
-  /// that far, it can meet none.
+  /// A place, and its distance to the nearest obstacle (mm). A robot that has moved by less than
+  /// this distance since cannot meet an obstacle.
   struct Clearance {
     Vector2d from = Vector2d::Zero();
     double distance = 0;
@@ -49,7 +49,7 @@ class KinematicWorld : public World {
   struct Kicking {
     const KickDescription* kick = nullptr;
     int ticks = 0;  ///< Since it began.
-    Pose2D from;    ///< Where the robot stood then.
+    Pose2D from;    ///< Pose of the robot when it began.
     bool hasStruck = false;
     Random random;
   };
@@ -67,8 +67,8 @@ class KinematicWorld : public World {
   void noteBlocked(std::size_t i);
   void partRobots();
   bool partPair(std::size_t a, std::size_t b);
-  /// Sets height, tilt and roll by the joints and by how the body sways: as it does after this tick
-  /// if `goesOn`, or as it does now.
+  /// Sets height, tilt and roll from the joints and the sway of the body: the sway after this tick
+  /// if `goesOn`, otherwise the present one.
   void setStance(std::size_t i, bool goesOn);
 
   NoiseParameters noise_;
@@ -77,11 +77,11 @@ class KinematicWorld : public World {
   BallPhysics ballPhysics_;
   std::vector<Walking> walking_;
   std::vector<Kicking> kicking_;
-  /// Whose kick plays a ball by its description: no part of them touches one that lies there or
-  /// rolls from the strike. One that somebody else has set rolling meets their bodies.
+  /// Robots whose kick plays a ball by its description. No part of them touches a ball that lies
+  /// there or rolls from the strike; a ball that another robot has set rolling meets their bodies.
   std::vector<bool> plays_;
   std::vector<Clearance> clear_;
-  std::vector<Vector2d> from_, ways_;  ///< Of each robot in this tick, on the field (mm).
+  std::vector<Vector2d> from_, ways_;  ///< Start and motion of each robot in this tick (mm).
 };
 
 }  // namespace gt

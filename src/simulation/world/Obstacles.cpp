@@ -12,7 +12,7 @@ Obstacles::Obstacles(const mjModel& model, const mjData& data) {
     const mjtNum* size = model.geom_size + 3 * geom;
     const Matrix3d rotation = rotationFromMuJoCo(data.geom_xmat + 9 * geom);
     const double halfHeight = type == mjGEOM_BOX ? size[2] : size[1];
-    // Only what reaches down to where robots and balls are.
+    // Only geoms that reach down to the height of robots and balls.
     if (data.geom_xpos[3 * geom + 2] - halfHeight > 0.05) continue;
     Obstacle obstacle;
     obstacle.center = fromMuJoCo(data.geom_xpos + 3 * geom).head<2>();
@@ -42,7 +42,7 @@ bool Obstacles::overlaps(const Obstacle& obstacle, const Vector2d& center, doubl
     normal = away / distance;
     overlap.depth = touching - distance;
   } else {
-    // The center lies inside: out through the nearest side.
+    // The center lies inside: the disc is pushed out through the nearest side.
     const double outX = obstacle.half.x() - std::abs(local.x());
     const double outY = obstacle.half.y() - std::abs(local.y());
     if (outX < outY)

@@ -6,18 +6,19 @@
 
 namespace gt {
 
-/// How a disc on the ground overlaps something: where to push it, and how far (mm).
+/// The overlap of a disc on the ground with something: the direction in which to push the disc out
+/// (unit vector), and the distance (mm).
 struct Overlap {
   Vector2d normal = Vector2d::Zero();
   double depth = 0;
 };
 
-/// What stands on the field and does not move (walls, goals, flags), seen from above: rectangles
-/// and discs, from the model's geoms of group 2.
+/// The immobile objects on the field (walls, goals, flags), seen from above: rectangles and discs,
+/// from the model's geoms of group 2. Lengths are mm, on the field.
 class Obstacles {
  public:
   Obstacles() = default;
-  /// `data` has the poses of all geoms.
+  /// `data` must have the poses of all geoms.
   Obstacles(const mjModel& model, const mjData& data);
 
   /// Pushes a disc out of all obstacles and calls touched(normal) for each that it touched.
@@ -31,16 +32,16 @@ class Obstacles {
     }
   }
 
-  /// How far it is from a point to the nearest obstacle (mm); 0 within one.
+  /// Distance from a point to the nearest obstacle (mm); 0 within one.
   double distanceTo(const Vector2d& point) const;
 
  private:
   struct Obstacle {
     Vector2d center;
-    Vector2d half;  ///< For a disc: zero, its radius is in `round`.
-    double cosine, sine;
-    double round;
-    double bound;
+    Vector2d half;        ///< Half of a rectangle's sides; zero for a disc.
+    double cosine, sine;  ///< Of a rectangle's direction.
+    double round;         ///< Radius of a disc; 0 for a rectangle.
+    double bound;         ///< Radius of a circle around the obstacle.
 
     /// A direction of the field in its own axes.
     Vector2d local(const Vector2d& d) const {
@@ -54,7 +55,8 @@ class Obstacles {
   std::vector<Obstacle> obstacles_;
 };
 
-/// How the first of two discs overlaps the second; equal centers are parted along x.
+/// Computes how the first of two discs overlaps the second; false if their centers are at least
+/// `distance` (mm) apart. Discs with equal centers are pushed apart along x.
 bool discsOverlap(const Vector2d& first, const Vector2d& second, double distance, Overlap& overlap);
 
 }  // namespace gt

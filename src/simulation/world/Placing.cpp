@@ -1,4 +1,4 @@
-// How the world puts robots and balls by hand.
+// Placement of robots and balls in the world by hand.
 #include <algorithm>
 
 #include "representations/infrastructure/RobotDimensions.h"
@@ -51,7 +51,7 @@ void World::put(const Put& what) {
   puts_.push_back(what);
   for (const Put& waits : puts_) counts(waits) = false;
   for (Put& one : puts_) {
-    // What lies where it was asked to lie stays there, unless an earlier one came back to its own.
+    // A thing that lies at its requested place stays there, unless an earlier one took that place.
     const bool stays = &one != &puts_.back() && one.place == one.asked && isFree(one);
     if (!stays) settle(one);
     counts(one) = true;

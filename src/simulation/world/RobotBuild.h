@@ -9,29 +9,31 @@
 
 namespace gt {
 
-/// How one robot was put together: what is different about it from the robot that its program
-/// knows. The default is no difference.
+/// The differences of one robot's hardware from the robot that its program assumes. The default is
+/// no difference.
 struct RobotBuild {
   double tilt = 0,
          roll = 0;       ///< rad: the body leans back and to the right more than joints measure.
   JointAngles joints{};  ///< rad: by which each joint is turned further than it measures.
   double backlash = 0;   ///< rad
-  Vector3d acceleration = Vector3d::Zero();  ///< mm/s^2: what its sensors add to what they feel.
-  double light = 1, cb = 0, cr = 0;          ///< What its camera sees: a factor, and added.
+  Vector3d acceleration = Vector3d::Zero();  ///< mm/s^2: offset of the acceleration sensors.
+  double light = 1, cb = 0, cr = 0;          ///< Of its camera: a factor, and two offsets.
 
-  /// Draws a robot. The same generator draws the same robot, more or less different.
+  /// Draws a robot's build. With other `body` parameters, the same generator draws the same
+  /// differences in another size.
   static RobotBuild draw(const BodyParameters& body, const SceneRobot& setup, Random random);
 
-  /// Where motors turn the joints if these angles are requested.
+  /// The angles (rad) to which motors turn the joints if `requested` are requested.
   JointAngles driven(const JointAngles& requested) const;
-  /// What the camera sees because the body leans: it turns about the body's origin.
+  /// The camera's view with the leaning of the body: it is turned about the body's origin.
   CameraView leaning(CameraView view, const RobotBody& body) const;
-  /// What the acceleration sensors feel: the body leans, and their zero is off (mm/s^2).
+  /// The measured acceleration (mm/s^2): that of the leaning body, plus the sensors' offset.
   Vector3d felt(const RobotBody& body) const;
+  /// The effects of this robot's camera.
   CameraEffects seen(CameraEffects effects) const;
 
  private:
-  /// By which the body leans more than the world knows.
+  /// The rotation by which the body leans more than in the world's state.
   Matrix3d lean() const { return rotationX(roll) * rotationY(-tilt); }
 };
 

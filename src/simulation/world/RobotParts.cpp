@@ -17,14 +17,14 @@ class Lookup {
     expect(id >= 0, name, "");
     return std::max(id, 0);
   }
-  /// Where a joint of a kind stands in qpos.
+  /// The address of a joint of a type in qpos.
   int joint(const std::string& name, mjtJoint type) {
     const int id = (*this)(mjOBJ_JOINT, name);
     if (model_.njnt == 0) return 0;
     expect(model_.jnt_type[id] == type, name, type == mjJNT_FREE ? ", a free joint" : ", a hinge");
     return model_.jnt_qposadr[id];
   }
-  /// A body that stands freely in the world.
+  /// A body that moves freely in the world.
   int root(const std::string& name) {
     const int id = (*this)(mjOBJ_BODY, name);
     expect(model_.body_rootid[id] == id, name, ", a body of the world");

@@ -8,7 +8,7 @@
 
 namespace gt {
 
-/// Where a robot's parts lie in the model: looked up by name once, when the scene is loaded.
+/// The indices of a robot's parts in the model, looked up by name once, when the scene is loaded.
 struct RobotParts {
   int body = 0;
   int poseAddress = 0;  ///< In qpos: 3 numbers of the position, 4 of the quaternion.
@@ -20,24 +20,24 @@ struct RobotParts {
   int psdSite = 0;
   int firstGeom = 0;
   int lastGeom = 0;  ///< Behind the last one.
-  double reach = 0;  ///< mm; no part gets further from the body's origin, whatever the joints do.
+  double reach = 0;  ///< mm: greatest distance of any part from the body's origin.
 };
 
 /// Looks up the parts of a robot. Fails if the model lacks one.
 Result<RobotParts> findRobotParts(const mjModel& model, const std::string& robot,
                                   const std::string& file);
 
-/// Where a leg's knee and foot are, in mm relative to the robot's body.
+/// The positions of a leg's knee and foot, in mm relative to the robot's body.
 struct LegPose {
   Vector3d knee, foot;
 };
 
-/// The same as MuJoCo makes of the joints' angles (rad), of one leg alone: most that follows from
-/// the legs is needed before the body's own pose is known.
+/// Computes the pose of one leg from the joints' angles (rad), with MuJoCo's result but before the
+/// body's own pose is known, which depends on the legs.
 LegPose legPose(const mjModel& model, const RobotParts& parts, const JointAngles& angles,
                 std::size_t leg);
 
-/// Where a ball lies in the model.
+/// The indices of a ball in the model.
 struct BallParts {
   int body = 0;
   int poseAddress = 0;
@@ -48,8 +48,8 @@ struct BallParts {
 /// Looks up the parts of a ball.
 Result<BallParts> findBallParts(const mjModel& model, std::size_t index, const std::string& file);
 
-/// The geoms of a body and of all below it: from the first to behind the last. MuJoCo keeps them in
-/// one row.
+/// The geoms of a body and of all bodies below it: the first one and the one behind the last. Their
+/// indices in MuJoCo are contiguous.
 std::pair<int, int> geomsBelow(const mjModel& model, int body);
 
 }  // namespace gt

@@ -8,9 +8,9 @@
 namespace gt {
 namespace {
 
-/// Sony's words P, I and D in Nm/rad, Nm/(rad s) and Nm s/rad, and what the motors can. ESTIMATES:
-/// with them motions that a champion of 2002 played on ERS-210s do here what they are for
-/// (docs/motion.md).
+/// The units of Sony's words P, I and D in Nm/rad, Nm/(rad s) and Nm s/rad, and the motors' limits.
+/// ESTIMATES: with them, motions that a champion of 2002 played on ERS-210s have their intended
+/// effect in the simulator (docs/motion.md).
 constexpr double unitP = 0.8, unitI = 0.4, unitD = 0.012;
 constexpr double legTorque = 2, otherTorque = 0.6;  // Nm
 constexpr double margin = 1.8;  ///< The speed without load as a multiple of what Sony recommends.
@@ -64,7 +64,7 @@ Drive Servo::drive(double angle, double speed, double seconds) {
   const double error = target_ - angle;
   const double wanted = gains_.p * error + integral_;
   const double most = strength_ * motor_.stallTorque;
-  // Beyond what the motor can, P and D change nothing, and the integral does not wind up.
+  // Beyond the motor's torque, P and D change nothing, and the integral does not wind up.
   const double withD = wanted - gains_.d * speed;
   if (std::abs(withD) >= most) return {std::copysign(most, withD), motor_.damping()};
   integral_ += gains_.i * error * seconds;

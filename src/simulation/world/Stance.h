@@ -12,7 +12,7 @@ struct GroundPoint {
   double radius = 0;
 };
 
-/// How the body stands on the ground.
+/// Height and tilt of the body above the ground.
 struct Stance {
   double height = 0;  ///< mm: the body's origin above the ground
   double tilt = 0;    ///< rad, + nose up
@@ -24,7 +24,7 @@ struct Stance {
 Stance stand(const std::array<GroundPoint, 5>& fore, const std::array<GroundPoint, 5>& hind,
              double previousTilt);
 
-/// How high a point's sphere lies above the ground (mm).
+/// Height of a point's sphere above the ground (mm).
 inline double clearance(const GroundPoint& point, const Stance& stance) {
   return stance.height + std::sin(stance.tilt) * point.position.x() +
          std::cos(stance.tilt) * point.position.z() - point.radius;

@@ -12,7 +12,8 @@ Pose2D StepNoise::next(const NoiseParameters& noise, const Pose2D& step) {
   constexpr double stepTime = 0.25;  // s
   static const double keep = std::exp(-tickSeconds / stepTime);
   static const double fresh = std::sqrt(1 - keep * keep);
-  // Sums over many ticks are as wide as those of white noise: they grow with the root of the way.
+  // Sums over many ticks have the standard deviation of white noise: it grows with the square root
+  // of the distance.
   static const double white = std::sqrt((1 - keep) / (1 + keep));
   for (double& now : now_) now = keep * now + fresh * random_.gaussian();
   const double root = std::sqrt(length / 1000);

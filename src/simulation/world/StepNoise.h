@@ -6,15 +6,15 @@
 
 namespace gt {
 
-/// By how much a robot's steps lead elsewhere than it believes, on a carpet that gives and drags:
-/// normally distributed noise that keeps its direction for about a step. Of one robot, in both
+/// The differences of one robot's real steps from those it believes to make, on a carpet that gives
+/// and drags: normally distributed noise that keeps its direction for about a step. Used in both
 /// fidelities.
 class StepNoise {
  public:
   explicit StepNoise(const Random& random) : random_{random} {}
 
-  /// What the carpet adds to the way of this tick, in the robot's system (rad, mm). `step` is what
-  /// the robot believes to walk in it; who does not walk is not moved.
+  /// The motion that the carpet adds in this tick, relative to the robot (rad, mm). `step` is the
+  /// motion that the robot believes to make; a robot that does not walk is not moved.
   Pose2D next(const NoiseParameters& noise, const Pose2D& step);
 
  private:

@@ -143,7 +143,7 @@ void World::continueFrom(const World& other) {
   const float* ambient = other.model_->vis.headlight.ambient;
   setAmbient({ambient[0], ambient[1], ambient[2]});
   updateKinematics();
-  // Whoever keeps what stands on the field looks at it anew.
+  // Subclasses that store data about immobile geoms update them.
   if (model_->ngeom > 0) moveGeom(0, fromMuJoCo(data_->geom_xpos));
   putAll();
 }
@@ -185,7 +185,7 @@ void World::writeBall(std::size_t i) {
   pose[0] = balls_[i].position.x() / 1000;
   pose[1] = balls_[i].position.y() / 1000;
   pose[2] = parts.radius / 1000;
-  // The ball's own poses follow at once: it moves after the robots in a tick.
+  // The poses of the ball's geoms are updated at once, since it moves after the robots in a tick.
   mju_copy3(data_->xpos + 3 * parts.body, pose);
   mju_quat2Mat(data_->xmat + 9 * parts.body, pose + 3);
   const auto [first, last] = geomsBelow(*model_, parts.body);

@@ -22,31 +22,31 @@ namespace gt {
 constexpr std::int64_t tickMs = 8;
 constexpr double tickSeconds = tickMs / 1000.0;
 
-/// What one robot's motors shall do in a tick, and how far it believes to walk in it.
+/// The targets of one robot's motors in a tick, and the motion that it believes to make.
 struct RobotCommand {
-  JointAngles joints{};
-  Pose2D step;
-  /// That it performs, or null: in the kinematic fidelity balls go where this says.
+  JointAngles joints{};  ///< rad
+  Pose2D step;           ///< mm, rad, relative to the robot
+  /// The kick that it performs, or null. In the kinematic fidelity it determines the balls' motion.
   const KickDescription* kick = nullptr;
   JointGains gains{};  ///< Only the dynamic fidelity has servos for them.
 };
 
-/// A step of one tick, at most as long as a robot could ever make it.
+/// A step of one tick, limited to the longest one that a robot can make (mm, rad).
 Pose2D possibleStep(const Pose2D& step);
 
-/// How a robot lies or stands.
+/// The postures of a robot.
 enum class Posture { standing, onLeftSide, onRightSide, onNose, onBack, sitting };
 
-/// How a body that is put into a posture leans at first.
+/// The initial lean of a body that is put into a posture.
 struct Lean {
   double tilt = 0;  ///< rad, + nose up
   double roll = 0;  ///< rad, + right side down
 };
 Lean leanOf(Posture posture);
-/// How a body lies or stands whose axes point so in the world.
+/// The posture of a body with a rotation (from the body's to the world's axes).
 Posture postureOf(const Matrix3d& rotation);
 
-/// Where a robot truly is, in the field's coordinates.
+/// The true state of a robot, in the field's coordinates.
 struct RobotBody {
   Pose2D pose;           ///< mm, rad: the body's center on the ground
   double height = 150;   ///< mm: the body's origin above the ground
@@ -56,21 +56,21 @@ struct RobotBody {
   double walked = 0;     ///< mm since the start, over ground
   Posture posture = Posture::standing;
   std::array<bool, 4> footOnGround{};  ///< in the order of Leg
-  /// The other robot that it walks into; -1: none.
+  /// Index of the robot that it walks into; -1: none.
   int pushes = -1;
   /// Whether something kept it from doing all that was requested in the last tick (report 5.1.1).
   bool blocked = false;
-  Vector3d specificForce{0, 0, 9810};  ///< mm/s^2, in the body's axes: what is felt
+  Vector3d specificForce{0, 0, 9810};  ///< mm/s^2, in the body's axes: felt acceleration
 
   /// The body's origin in space.
   Pose3D origin() const;
 };
 
-/// Where a ball truly is, in the field's coordinates.
+/// The true state of a ball, in the field's coordinates.
 struct BallState {
   Vector2d position = Vector2d::Zero();  ///< mm
   Vector2d speed = Vector2d::Zero();     ///< mm/s
-  int lastToucher = -1;  ///< Index of the robot that touched it last; -1 nobody yet.
+  int lastToucher = -1;  ///< Index of the robot that touched it last; -1 if none did.
   Time lastTouched = never();
 };
 
@@ -84,18 +84,19 @@ struct Put {
 };
 
 /// The simulated world: field, robots and balls. The robots of the scene's group `robots` come
-/// first, those of `extras` behind them. How bodies move is up to the fidelity (`makeWorld`).
+/// first, those of `extras` behind them. The fidelity determines how bodies move (`makeWorld`).
 class World {
  public:
-  /// Ticks back that the camera's pose can be asked for: more than an image's exposure, which may
-  /// have ended some time ago.
+  /// Number of ticks for which the camera's pose is stored: more than an image's exposure and its
+  /// delay.
   static constexpr std::size_t cameraHistory =
       static_cast<std::size_t>(CameraEffects::longestImage + CameraEffects::longestDelay) / tickMs +
       1;
 
   virtual ~World() = default;
 
-  /// One tick of 8 ms. One command for each active robot. Commands that are no numbers are ignored.
+  /// Simulates one tick of 8 ms, with one command for each active robot. Commands that are no
+  /// numbers are ignored.
   virtual void step(std::span<const RobotCommand> commands) = 0;
 
   const mjModel& model() const { return *model_; }
@@ -110,6 +111,7 @@ class World {
   const RobotParts& parts(std::size_t i) const { return parts_[i]; }
   std::size_t ballCount() const { return balls_.size(); }
   const BallState& ball(std::size_t i) const { return balls_[i]; }
+  /// The radius of a ball (mm).
   double ballRadius(std::size_t i) const { return ballParts_[i].radius; }
   int ballBody(std::size_t i) const { return ballParts_[i].body; }
 
@@ -117,33 +119,33 @@ class World {
   /// up to `cameraHistory` - 1 ticks ago.
   const Pose3D& camera(std::size_t robot, std::size_t ticksAgo = 0) const;
 
-  // All that puts robots and balls goes to the nearest free place: what was put since the last tick
-  // in its order, none of it into what stands or lies there. So who puts two things at the places
-  // of each other gets what was asked for.
+  // Robots and balls are placed at the nearest free place. With each placement, all things placed
+  // since the last tick are settled in their order; each blocks its place for others only once it
+  // is settled. So two things can be placed at the places of each other.
 
-  /// Puts a robot by hand; it stands on its feet.
+  /// Places a robot (mm, rad, on the field); it stands on its feet.
   void placeRobot(std::size_t robot, const Pose2D& pose);
-  /// Puts a ball; it rests, and nobody has touched it, if `forget`. Its speed (mm/s) is at most
-  /// `BallParameters::maxSpeed`.
+  /// Places a ball (mm, on the field) with a speed (mm/s), which is limited to
+  /// `BallParameters::maxSpeed`. If `forget`, clears who touched it last.
   void placeBall(std::size_t ball, const Vector2d& position, const Vector2d& speed = {0, 0},
                  bool forget = true);
   /// Puts a robot into another posture; `placeRobot` or `standUp` puts it back on its feet.
   void throwOver(std::size_t robot, Posture posture);
   void standUp(std::size_t robot);
-  /// What was put since the last tick, in its order; at first all that the scene puts.
+  /// The placements since the last tick, in their order; at first all those of the scene.
   std::span<const Put> puts() const { return puts_; }
-  /// How often something was put.
+  /// The number of all placements.
   std::size_t putCount() const { return putCount_; }
-  /// How often the physics' numbers diverged; each time all went on from where it last was.
+  /// How often the physics diverged; each time everything resumed from its last good position.
   std::int64_t divergences() const { return divergences_; }
-  /// Whether a ball would touch a robot at a place (mm).
+  /// Whether a ball at a place (mm, on the field) would touch a robot.
   bool wouldTouch(std::size_t ball, const Vector2d& place, std::size_t robot);
   /// Pushes a robot's body during the next tick, with a force (N, along the field's axes) at a
-  /// point (mm, in the body's axes). Only where bodies have forces: in the dynamic fidelity.
+  /// point (mm, in the body's axes). Has an effect in the dynamic fidelity only.
   virtual void push(std::size_t /*robot*/, const Vector3d& /*force*/, const Vector3d& /*at*/) {}
   /// Puts a joint that belongs to no robot and no ball at coordinates of MuJoCo, at rest.
   void moveJoint(int joint, std::span<const double> coordinates);
-  /// Puts a geom that stands still somewhere else (mm); robots and balls meet it there.
+  /// Moves an immobile geom to a position (mm); robots and balls collide with it there.
   virtual void moveGeom(int geom, const Vector3d& position);
   /// Sets how strongly a light of the model shines: 0 to 1 times the model's value.
   void emit(int light, double share);
@@ -152,20 +154,21 @@ class World {
   void setAmbient(const Vector3d& rgb);
   /// Turns a robot's joint by hand (rad), within its limits.
   void turnJoint(std::size_t robot, Joint joint, double angle);
-  /// Has MuJoCo measure with the model's sensors that depend on positions only.
+  /// Lets MuJoCo measure with the model's sensors that depend on positions only.
   void measureSensors();
-  /// How far motions are from perfect from now on: the scene's value. Not all fidelities use all.
+  /// Applies the scene's parameters of motion and noise from now on; each fidelity uses some of
+  /// them.
   virtual void change(const SceneDescription& scene);
-  /// Takes over how all stands and lies, and the time, from another world of the same scene.
+  /// Takes over the state and the time from another world of the same scene.
   void continueFrom(const World& other);
 
  protected:
-  /// What overlaps by less only touches (mm).
+  /// Things that overlap by less than this only touch (mm).
   static constexpr double touching = 0.1;
 
   World(const SceneDescription& scene, Model model);
   Result<void> findParts(const SceneDescription& scene);
-  /// Puts all that there is where it is, robots first.
+  /// Places everything where it is, robots first.
   void putAll();
   /// Puts a robot down at its place in its posture: height, tilt and roll, and all its parts.
   virtual void putDown(std::size_t robot) = 0;
@@ -177,7 +180,7 @@ class World {
 
   void writeRobot(std::size_t i);
   void writeBall(std::size_t i);
-  /// Poses of all geoms from the state.
+  /// Computes the poses of all geoms from the state.
   void updateKinematics();
   void advanceTime();
 
@@ -188,7 +191,7 @@ class World {
   std::vector<BallParts> ballParts_;
   std::vector<RobotBody> robots_;
   std::vector<BallState> balls_;
-  std::vector<bool> placed_;  ///< By hand since the last tick: no speed follows from that.
+  std::vector<bool> placed_;  ///< By hand since the last tick, which causes no speed.
   std::vector<bool> placedBalls_;
   std::int64_t divergences_ = 0;
 
@@ -199,7 +202,7 @@ class World {
   bool robotIsFree(std::size_t robot) const;
   bool ballIsFree(std::size_t ball) const;
   void moveBall(std::size_t ball, const Vector2d& place);
-  /// Whether a robot or a ball stands where others must not be put.
+  /// Whether a robot or a ball blocks its place for others.
   std::vector<bool>::reference counts(const Put& put) {
     return put.ball ? ballCounts_[put.index] : robotCounts_[put.index];
   }
@@ -211,16 +214,16 @@ class World {
   std::size_t putCount_ = 0;
   std::vector<bool> robotCounts_, ballCounts_;  ///< False while they wait for being put.
   std::vector<float> emission_;  ///< Of the model's lights: diffuse red, green, blue.
-  std::vector<double> shares_;   ///< How strongly they shine now.
+  std::vector<double> shares_;   ///< Present emission of each light, as a share of `emission_`.
   std::vector<std::array<Pose3D, cameraHistory>> cameras_;  ///< Newest first.
 };
 
-/// Whether two geoms come nearer to each other than `gap` (m; negative: overlap by more).
+/// Whether the distance of two geoms is less than `gap` (m; negative: they overlap by more).
 bool geomsTouch(const World& world, int a, int b, double gap);
 
 /// The world of a scene, with the fidelity that it asks for.
 Result<std::unique_ptr<World>> makeWorld(const SceneDescription& scene, const Random& random);
-/// The same, with the scene's model, which was composed before.
+/// As above, with the scene's model composed before.
 Result<std::unique_ptr<World>> makeWorld(const SceneDescription& scene, Model model,
                                          const Random& random);
 

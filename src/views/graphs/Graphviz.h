@@ -5,10 +5,10 @@
 
 namespace gt {
 
-/// A text as Graphviz's language quotes it.
+/// Quotes a text for Graphviz's language.
 std::string dotQuoted(const std::string& text);
 
-/// Has Graphviz draw into an SVG file; an error if its program `dot` is missing or fails.
+/// Lets Graphviz draw into an SVG file; an error if its program `dot` is missing or fails.
 Result<void> writeSvg(const std::string& drawing, const std::string& file);
 
 }  // namespace gt

@@ -12,10 +12,10 @@ namespace {
 
 constexpr const char* platformName = "Platform";
 
-/// All that goes one way between two processes.
+/// All types that one process sends to another.
 struct Arrow {
   std::vector<std::string> types;
-  std::string trigger;  ///< The one of them that starts a cycle; empty if none does.
+  std::string trigger;  ///< The type that starts a cycle; empty if none does.
 };
 using Arrows = std::map<std::pair<std::string, std::string>, Arrow>;
 
@@ -23,7 +23,8 @@ std::string nameOf(const std::string& process) {
   return process.empty() ? platformName : process;
 }
 
-/// What crosses, with the robot's commands to its platform and the message queues.
+/// The arrows between processes, including the robot's commands to its platform and the message
+/// queues.
 Arrows arrowsOf(const Plan& plan) {
   Arrows arrows;
   for (const Connection& connection : plan.connections) {
@@ -52,8 +53,8 @@ std::string join(const std::vector<std::string>& words, const std::string& betwe
   return text;
 }
 
-/// A process as a table of HTML, as Graphviz takes it for a label; names hold letters only where
-/// tasks are concerned, the process's own is escaped.
+/// A process as a table of HTML, which Graphviz accepts as a label. The process's name is escaped;
+/// names of tasks hold letters only.
 std::string labelOf(const Plan::Process& process) {
   std::ostringstream label;
   const auto escaped = [](const std::string& text) {

@@ -23,7 +23,7 @@ std::map<std::string, const TaskDescription*> providersOf(
   return providers;
 }
 
-/// What the running solution reads; empty if none runs.
+/// The inputs of the running solution; empty if none runs.
 std::vector<std::string> inputsOf(const TaskDescription& task) {
   const auto active = std::ranges::find(task.solutions, task.active, &SolutionDescription::name);
   return active == task.solutions.end() ? std::vector<std::string>{} : active->inputs;
@@ -33,7 +33,7 @@ bool isDisabled(const TaskDescription& task) {
   return task.active == SolutionTable::disabled;
 }
 
-/// A representation's node; a task of the same name is another one.
+/// The name of a representation's node, which differs from that of a task of the same name.
 std::string nodeOf(const std::string& representation) {
   return dotQuoted("representation " + representation);
 }

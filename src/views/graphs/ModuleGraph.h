@@ -6,14 +6,14 @@
 
 namespace gt {
 
-/// The module graph of a running robot for people, from what its processes report about themselves:
-/// which solution of each task runs, and where what it reads comes from. What no task provides
-/// comes from outside: the platform or the configuration.
+/// Describes the module graph of a running robot, from its processes' descriptions of themselves:
+/// the running solution of each task, and the sources of its inputs. Inputs that no task provides
+/// come from outside: the platform or the configuration.
 std::string describeModules(const std::vector<ProcessDescription>& robot);
 
-/// The same as a drawing in Graphviz's language: a box for each task with the solution that runs,
-/// dashed if that is none, an ellipse for each representation through which they hang together, a
-/// frame for each process.
+/// The module graph as a drawing in Graphviz's language: a box for each task with the running
+/// solution, dashed if none runs, an ellipse for each representation that connects tasks, a frame
+/// for each process.
 std::string drawModules(const std::vector<ProcessDescription>& robot);
 
 }  // namespace gt

@@ -3,7 +3,7 @@
 
 namespace gt {
 
-/// A sheet in pixels, with smooth edges (by Cairo).
+/// Renders a sheet to pixels, with smooth edges (by Cairo).
 RgbImage paintByCairo(const Sheet& sheet);
 
 }  // namespace gt

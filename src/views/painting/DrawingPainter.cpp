@@ -6,7 +6,8 @@
 namespace gt {
 namespace {
 
-/// Coordinates beyond these mean the same on every sheet, but not to Cairo's fixed point numbers.
+/// Limits a coordinate: beyond the limits nothing changes on any sheet, but Cairo's fixed point
+/// numbers overflow.
 double limited(double value) {
   return std::clamp(value, -1e5, 1e5);
 }

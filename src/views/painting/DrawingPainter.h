@@ -4,8 +4,8 @@
 
 namespace gt {
 
-/// Where a drawing's coordinates lie on a sheet: its origin in pixels, pixels for each of its
-/// units, and whether its second axis goes up, as on the field, or down, as in images.
+/// Maps a drawing's coordinates to a sheet: the drawing's origin in pixels, the pixels for each of
+/// its units, and whether its second axis points up, as on the field, or down, as in images.
 struct Placement {
   Vector2d origin = Vector2d::Zero();
   double scale = 1;
@@ -16,8 +16,8 @@ struct Placement {
   }
 };
 
-/// Paints an element of a drawing. The width of the pen counts in pixels of the sheet. What makes
-/// no sense (too few points, not finite) is left out.
+/// Paints an element of a drawing. The width of the pen is in pixels of the sheet. Invalid elements
+/// (too few points, not finite) are left out.
 void paint(SheetPainter& painter, const DrawingElement& element, const Placement& placement);
 
 }  // namespace gt

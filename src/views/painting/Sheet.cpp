@@ -15,7 +15,7 @@ namespace {
 
 constexpr int largest = 4096;
 
-/// How many bytes the letter of UTF-8 takes that a text begins with; 0 if it is none.
+/// The number of bytes of the UTF-8 character that a text begins with; 0 if it is invalid.
 std::size_t letterSize(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(0);
@@ -34,7 +34,7 @@ std::size_t letterSize(std::string_view text) {
   return size;
 }
 
-/// A line of text: what is no UTF-8 or moves the cursor becomes a question mark.
+/// Replaces invalid UTF-8 and control characters of a line of text by question marks.
 std::string printable(std::string_view text) {
   std::string line;
   while (!text.empty()) {
@@ -49,7 +49,7 @@ std::string printable(std::string_view text) {
   return line;
 }
 
-/// What blue and red difference add to red, green and blue (colors/Rgb.h), in fixed point.
+/// The contributions of cb and cr to red, green and blue (colors/Rgb.h), in fixed point.
 struct RgbTerms {
   static constexpr int bits = 16, half = 1 << (bits - 1);
   std::array<int, 256> red, greenByCb, greenByCr, blue;

@@ -10,20 +10,21 @@
 
 namespace gt {
 
-/// A camera image (YCbCr, full range as in JPEG) as RGB; pixels that it lacks are black.
+/// A camera image (YCbCr, full range as in JPEG) as RGB; missing pixels are black.
 RgbImage rgbOf(const Image& image);
 
-/// A page on which a view is painted, of images, drawings and text; written as PNG or SVG, or
-/// painted on anything else. It can be painted on again and again.
+/// A page of images, drawings and text on which a view is painted. It can be written as PNG or SVG,
+/// and painted repeatedly on any `SheetPainter`.
 class Sheet {
  public:
-  /// In pixels, at most 4096 a side.
+  /// Width and height are in pixels, at most 4096.
   Sheet(int width, int height, Color background = colors::white);
 
   void paint(const Drawing& drawing, const Placement& placement = {});
-  /// An image with its upper left corner at a place; each of its pixels becomes a square.
+  /// Paints an image with its upper left corner at a place (pixels). Each of its pixels becomes a
+  /// square with sides of `scale` pixels.
   void paint(RgbImage picture, const Vector2d& at, double scale = 1);
-  /// A text (UTF-8) whose first letter's lower left corner lies at a place.
+  /// Paints a text (UTF-8) whose first letter's lower left corner lies at a place (pixels).
   void text(const Vector2d& at, const std::string& text, Color color = colors::black,
             double height = 12);
   void box(const Vector2d& corner, const Vector2d& size, Color color);
@@ -44,7 +45,7 @@ class Sheet {
   std::vector<std::function<void(SheetPainter&)>> strokes_;
 };
 
-/// An image, enlarged by a whole number, as a sheet.
+/// A sheet with an image that is enlarged by a whole number.
 Sheet pictureSheet(RgbImage picture, int scale);
 inline Sheet imageSheet(const Image& image, int scale) {
   return pictureSheet(rgbOf(image), scale);

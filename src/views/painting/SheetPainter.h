@@ -14,22 +14,23 @@ struct RgbImage {
   std::vector<std::uint8_t> pixels;
 };
 
-/// What a sheet is painted on: an image, a file, a window. Coordinates are pixels from the upper
-/// left corner, to the right and down; angles are counted from the right, clockwise on the sheet.
+/// A target on which a sheet is painted: an image, a file, a window. Coordinates are pixels from
+/// the upper left corner, to the right and down; angles (rad) are counted from the right, clockwise
+/// on the sheet.
 class SheetPainter {
  public:
-  /// How lines are drawn; their ends and corners are round.
+  /// The style of lines, whose ends and corners are round.
   struct Pen {
     Color color;
     double width = 1;
     PenStyle style = PenStyle::solid;
   };
-  /// How a text is written.
+  /// The style of a text.
   struct Font {
     Color color;
     double height = 12;
     bool bold = false;
-    /// With a dark or bright seam, so that it can be read on any image.
+    /// Whether it has a dark or bright outline, so that it can be read on any image.
     bool seam = false;
   };
 

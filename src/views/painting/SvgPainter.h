@@ -5,8 +5,7 @@
 
 namespace gt {
 
-/// Writes a sheet as SVG. Text stays text, and is written in the font without serifs of whoever
-/// shows it.
+/// Writes a sheet as SVG. Text stays text, and is shown in the viewer's sans-serif font.
 class SvgPainter : public SheetPainter {
  public:
   SvgPainter(int width, int height);
@@ -19,7 +18,7 @@ class SvgPainter : public SheetPainter {
   void text(const Vector2d& at, std::string_view text, const Font& font) override;
   void picture(const RgbImage& picture, const Vector2d& at, double scale) override;
 
-  /// The whole file.
+  /// The content of the whole file.
   std::string svg() const { return svg_ + "</svg>\n"; }
 
  private:

@@ -104,7 +104,7 @@ class BehaviorRecord {
   const std::vector<OptionRecord>& options() const { return options_; }
   double now() const { return now_; }
   double behaviorSeen(std::size_t behavior) const { return behaviors_[behavior]; }
-  /// Who called whom so far, by names.
+  /// All calls so far, as names of the caller and the called.
   const std::set<std::pair<std::string, std::string>>& calls() const { return calls_; }
 
  private:
@@ -419,7 +419,7 @@ class BehaviorGraph : public Dialog {
     showWhy();
   }
 
-  /// What a decision tree says, indented.
+  /// The text of a decision tree, indented.
   std::string treeText(const xabsl::Branch& branch, std::size_t depth) const {
     const std::string begin(2 * depth, ' ');
     constexpr std::size_t deepest = 100;

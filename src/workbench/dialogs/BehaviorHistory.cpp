@@ -80,7 +80,7 @@ class BehaviorSpans {
       while (row.front().end < now - keptMs) row.pop_front();
     }
   }
-  /// What comes after a time to which the robot has gone back did not happen.
+  /// Removes everything after a time (s) to which the robot has gone back.
   void goBack(double now) {
     for (auto& [option, row] : rows_) {
       while (!row.empty() && row.back().begin >= now) row.pop_back();

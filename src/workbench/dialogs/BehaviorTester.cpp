@@ -108,7 +108,7 @@ QString motionOf(Console& console) {
       .arg(toDegrees(request.walk.rotation), 0, 'f', 0);
 }
 
-/// Report J.5.1: has the behavior's engine execute an option or a basic behavior, sets an output
+/// Report J.5.1: lets the behavior's engine execute an option or a basic behavior, sets an output
 /// symbol, shows symbols. Nothing is sent before the button Send request is pressed.
 class BehaviorTester : public Dialog {
  public:

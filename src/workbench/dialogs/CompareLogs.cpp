@@ -31,7 +31,7 @@ constexpr const char* replayedAsIs = "replayed";
 /// Points farther apart are not joined, in s.
 constexpr double joined = 0.5;
 
-/// Two logs, or what two solutions make of one, side by side: where they differ, value by value.
+/// Compares two logs, or the results of two solutions on one log, value by value.
 class CompareLogs : public Dialog {
  public:
   explicit CompareLogs(SessionThread& session) : Dialog{session} {
@@ -201,7 +201,7 @@ class CompareLogs : public Dialog {
     parts.addWidget(plot_);
   }
 
-  /// What is chosen at a side; B is A's log if no other is chosen.
+  /// The run that is chosen at a side; B's log is A's if no other is chosen.
   ComparedRun run(int i) const {
     const Side& side = sides_[i];
     const QString file = side.file->text().trimmed();
@@ -296,7 +296,7 @@ class CompareLogs : public Dialog {
     mark_->setVisible(true);
     plot_->replot(QCustomPlot::rpQueuedReplot);
   }
-  /// Has a robot run on each of both logs, with its solution, and stand at the marked time.
+  /// Lets a robot run on each of both logs, with its solution, and stop at the marked time.
   void jump() {
     if (tree_->comparison().topics.empty() || tree_->markedTime() == never()) return;
     session().ask(

@@ -261,8 +261,8 @@ class DebugKeys : public Dialog {
     showTable();
   }
 
-  /// What became of an entry that was sent, if it is still the same. One that is off is listed no
-  /// longer.
+  /// Notes the result of sending an entry, if the entry is still the same. An entry that is off is
+  /// no longer listed.
   void note(int kind, const QString& key, const Entry& sent, const Result<void>& done) {
     const auto entry = tables_[kind].find(key);
     if (entry == tables_[kind].end() || entry->second.mode != sent.mode ||

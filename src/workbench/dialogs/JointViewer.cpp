@@ -173,7 +173,7 @@ class JointViewer : public Dialog {
   void clear() {
     for (int i = 0; i < plot_->graphCount(); ++i) plot_->graph(i)->data()->clear();
   }
-  /// Has frames recorded as long as this dialog has the recorder.
+  /// Records frames as long as this dialog has the recorder.
   void record() {
     recorder_ = std::make_shared<JointRecorder>(robot_);
     const auto handle = std::make_shared<std::shared_ptr<const void>>();

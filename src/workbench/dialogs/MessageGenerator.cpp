@@ -75,7 +75,7 @@ class MessageGenerator : public Dialog {
  private:
   const RepresentationType& chosen() const { return *messageTypes().at(type_->currentText()); }
 
-  /// What was written last, or the type's defaults.
+  /// Shows the text that was written last, or the type's defaults.
   void showText() {
     fault_->clear();
     const auto known = texts_.find(type_->currentText());

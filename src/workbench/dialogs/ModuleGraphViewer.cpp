@@ -216,8 +216,8 @@ class GraphWidget : public QWidget {
   std::optional<std::size_t> marked_;
 };
 
-/// The modules of a robot as they run: who reads what from whom, and how long each takes. A click
-/// switches a task's solution.
+/// The running modules of a robot, with the representations that they exchange and their computing
+/// times. A click switches a task's solution.
 class ModuleGraphViewer : public Dialog {
  public:
   explicit ModuleGraphViewer(SessionThread& session) : Dialog{session} {

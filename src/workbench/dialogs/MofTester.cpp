@@ -14,7 +14,7 @@
 namespace gt {
 namespace {
 
-/// Where the lines stand that are executed: a saved state executes them again.
+/// The file of the executed lines, which a saved state executes again.
 Result<std::string> fileOfTriedLines() {
   const std::string folder = userFolder(UserFolder::state);
   if (folder.empty())

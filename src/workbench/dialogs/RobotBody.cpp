@@ -27,8 +27,8 @@ constexpr SwitchPlace switches[] = {{"headFront", "Head, front", 0, 1},
                                     {"pawHL", "Paw, hind left", 3, 0},
                                     {"pawHR", "Paw, hind right", 3, 2}};
 
-/// Report J.4: what a hand does with a simulated robot: presses its switches, throws it over, puts
-/// it back on its feet; and what the simulator sends it.
+/// Report J.4: handles a simulated robot: presses its switches, throws it over, puts it back on its
+/// feet; and selects the data that the simulator sends to it.
 class RobotBodyDialog : public Dialog {
  public:
   explicit RobotBodyDialog(SessionThread& session) : Dialog{session} {

@@ -30,8 +30,8 @@ std::string fileNameOf(const std::string& file) {
   return std::filesystem::path{file}.filename().string();
 }
 
-/// What is wrong with a text as the scene of a file. It need not be written there yet; what is
-/// wrong in it is named by the file's name alone.
+/// The errors in a text as the scene of a file, to which the text need not be written yet. They
+/// name the file without its folder.
 std::vector<Error> errorsIn(const std::string& file, const std::string& text) {
   const TemporaryFolder folder;
   const std::string copy = (folder.path() / "checked.scene").string();

@@ -241,7 +241,7 @@ class SceneViewer : public SpaceDialog {
     if (thing_->robot) line += " " + std::to_string(std::lround(toDegrees(pose.rotation)));
     return line;
   }
-  /// What throws a ball as fast as the mouse moves.
+  /// The end of a command that throws a ball as fast as the mouse moves.
   std::string speedText() const {
     if (thing_->robot) return {};
     const Vector2d speed = speed_.value();

@@ -103,8 +103,8 @@ QString secondsText(std::int64_t ms) {
   return QString{"%1 s"}.arg(static_cast<double>(ms) / 1000, 0, 'f', 1);
 }
 
-/// The beliefs of all robots of a team on one field, beside the truth, and below it what they have
-/// told each other.
+/// The beliefs of all robots of a team on one field, beside the truth, and below it the messages
+/// that they have exchanged.
 class TeamViewer : public Dialog {
  public:
   explicit TeamViewer(SessionThread& session) : Dialog{session} {

@@ -58,7 +58,7 @@ class MarkedSlider : public QSlider {
 
 /// All that has happened so far on one line of time: of the simulation with marks from the
 /// referee's events and from people, or of the log that the connected robot runs on. Moving back
-/// has the simulation go back in time; what comes later may then be changed.
+/// moves the simulation back in time; later events may then change.
 class Timeline : public Dialog {
  public:
   explicit Timeline(SessionThread& session) : Dialog{session} {
@@ -155,8 +155,8 @@ class Timeline : public Dialog {
     place_->setText(QString::fromStdString(clockText(there) + " of " + clockText(last_)));
   }
 
-  /// What the referee saw. Those after a time to which somebody has gone back stay until time has
-  /// come there again.
+  /// Requests the referee's events. Events after a time to which a person has gone back stay until
+  /// that time is reached again.
   void askForEvents() {
     if (asked_ || session().version() == version_) return;
     asked_ = true;

@@ -10,22 +10,22 @@
 
 namespace gt {
 
-/// How a scene's geoms are drawn.
+/// The style in which a scene's geoms are drawn.
 struct GlStyle {
   bool wireFrames = false;
-  bool transparent = false;             ///< All that moves.
-  bool contacts = false;                ///< Where bodies touch, with forces.
+  bool transparent = false;             ///< Whether all that moves is transparent.
+  bool contacts = false;                ///< Whether contacts are drawn, with forces.
   std::array<bool, mjNGROUP> groups{};  ///< Groups of geoms that are drawn.
 };
 
-/// What a ray meets.
+/// A point of a geom that a ray meets.
 struct Picked {
   int geom = 0;    ///< Of the model.
   Vector3d point;  ///< mm on the field
 };
 
-/// What a `GlView` draws: geoms of MuJoCo, with the model that their meshes and materials belong
-/// to. Made on the session's thread, drawn on the window's; not by both at a time.
+/// The content of a `GlView`: geoms of MuJoCo, with the model that their meshes and materials
+/// belong to. Made on the session's thread, drawn on the window's, but not by both at a time.
 class GlScene {
  public:
   explicit GlScene(std::shared_ptr<const mjModel> model);
@@ -33,21 +33,21 @@ class GlScene {
   GlScene(const GlScene&) = delete;
   GlScene& operator=(const GlScene&) = delete;
 
-  /// Draws a world, whose model is equal to this one's, instead of what was drawn before.
+  /// Replaces the content by a world, whose model must be equal to this one's.
   void show(const World& world, const GlStyle& style);
-  /// Draws nothing; adds light.
+  /// Removes all geoms; adds light.
   void clear();
-  /// Leaves out all geoms of the model but those that are wanted.
+  /// Removes all geoms of the model for which `wanted` returns false.
   void keep(const std::function<bool(int geom)>& wanted);
-  /// Moves all that is drawn on the field.
+  /// Moves all geoms on the field, as a body that moves from one pose to another (mm, rad).
   void move(const Pose2D& from, const Pose2D& to);
   /// Draws the geoms of the model from `first` to before `last` once more, moved on the field and
   /// nearly transparent.
   void addGhost(int first, int last, const Pose2D& from, const Pose2D& to);
-  /// Adds a shape: half its extents and its place in mm.
+  /// Adds a shape; `size` is half of its extents, `at` its place on the field (mm).
   void add(mjtGeom shape, const Vector3d& size, const Vector3d& at, const Color& color,
            const Matrix3d& rotation = Matrix3d::Identity());
-  /// Adds a line of some width between two points (mm).
+  /// Adds a line between two points on the field (mm).
   void addLine(const Vector3d& from, const Vector3d& to, double width, const Color& color);
 
   /// The first geom of the model that a ray meets, of those that are drawn.
@@ -61,7 +61,7 @@ class GlScene {
   mjvScene scene_;
 };
 
-/// A copy of a world's model to draw, without what drawing in a window does not need.
+/// A copy of a world's model for drawing, without the data that drawing in a window does not need.
 std::shared_ptr<const mjModel> modelToDraw(const mjModel& model);
 
 }  // namespace gt

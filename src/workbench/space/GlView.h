@@ -11,11 +11,11 @@ class QMenu;
 
 namespace gt {
 
-/// Draws a scene in space by OpenGL and MuJoCo. Dragging goes round, dragging with the right button
-/// moves along the ground, the wheel goes nearer.
+/// Draws a scene in space by OpenGL and MuJoCo. Dragging turns the camera around the scene,
+/// dragging with the right button moves it along the ground, the wheel moves it nearer.
 class GlView : public QOpenGLWidget {
  public:
-  /// Whether this machine and display have OpenGL as it is needed here.
+  /// Whether this machine and display have the OpenGL that is needed here.
   static bool works();
 
   explicit GlView(QWidget* parent = nullptr);
@@ -23,27 +23,27 @@ class GlView : public QOpenGLWidget {
 
   void show(std::shared_ptr<GlScene> scene);
   const std::shared_ptr<GlScene>& scene() const { return scene_; }
-  /// A text at the upper left.
+  /// Shows a text at the upper left.
   void showText(const QString& text);
 
-  /// How long the last frame took (ms).
+  /// Time that drawing the last frame took (ms).
   double drawTime() const { return drawTime_; }
 
   OrbitCamera& camera() { return camera_; }
-  /// Smallest elevation that dragging leaves, in degrees.
+  /// Sets the smallest elevation of the camera (degrees) that dragging allows.
   void setLowest(double degrees) { lowest_ = degrees; }
   /// The ray through a point of the widget.
   Ray ray(const QPointF& point) const;
-  /// What of the scene's model lies under a point of the widget.
+  /// The point of the scene's model under a point of the widget; empty if there is none.
   std::optional<Picked> pick(const QPointF& point) const;
 
-  /// Called when the left button goes down; true: it drags something, and not the camera.
+  /// Called when the left button is pressed; returns true if it drags a thing, not the camera.
   std::function<bool(const QPointF&)> grabbed;
-  /// What was grabbed is dragged.
+  /// Called when the grabbed thing is dragged.
   std::function<void(const QPointF&)> dragged;
-  /// It is let go.
+  /// Called when the grabbed thing is released.
   std::function<void(const QPointF&, Qt::KeyboardModifiers)> dropped;
-  /// The left button went down and up at one place.
+  /// Called when the left button was pressed and released at one place.
   std::function<void(const QPointF&)> clicked;
   std::function<void(const QPointF&)> doubleClicked;
   std::function<void(QMenu&, const QPointF&)> addActions;
@@ -64,7 +64,7 @@ class GlView : public QOpenGLWidget {
   void showMenu(const QPointF& at);
 
   std::shared_ptr<GlScene> scene_;
-  std::shared_ptr<const mjModel> model_;  ///< That the context was made for.
+  std::shared_ptr<const mjModel> model_;  ///< For which the context was made.
   struct Context;
   std::unique_ptr<Context> context_;
   OrbitCamera camera_;

@@ -6,15 +6,16 @@
 
 namespace gt {
 
-/// Where a ray begins and its direction (length 1), in mm on the field.
+/// A ray: its origin (mm, on the field) and its direction (length 1).
 struct Ray {
   Vector3d from, direction;
 
-  /// Where it meets a plane parallel to the ground at a height (mm); empty if it does not.
+  /// The point where the ray meets a plane parallel to the ground at a height (mm); empty if it
+  /// does not.
   std::optional<Vector3d> atHeight(double height) const;
 };
 
-/// A viewer's camera that goes round a point and looks at it.
+/// A viewer's camera that orbits a point and looks at it.
 struct OrbitCamera {
   Vector3d at{0, 0, 0};      ///< mm on the field
   double azimuth = -90;      ///< degrees, of where the camera is as seen from the point
@@ -30,12 +31,12 @@ struct OrbitCamera {
   /// is the image's width by its height.
   Ray ray(double x, double y, double aspect) const;
 
-  /// Goes round by pixels of a mouse that drags.
+  /// Orbits the point as the mouse is dragged by x and y pixels.
   void turn(double x, double y);
-  /// Moves the point along the ground, so that it follows a mouse that drags by pixels of an image
-  /// with this height.
+  /// Moves the point along the ground, so that it follows a mouse that is dragged by x and y pixels
+  /// of an image with a height (pixels).
   void move(double x, double y, double height);
-  /// Goes nearer by steps of a wheel.
+  /// Moves the camera nearer by steps of a wheel.
   void approach(double steps);
 
   QJsonObject settings() const;

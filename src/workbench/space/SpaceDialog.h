@@ -9,7 +9,7 @@
 
 namespace gt {
 
-/// A dialog that draws something in space by OpenGL, again and again while something changes. The
+/// A dialog that draws a scene in space by OpenGL, and redraws it when the session changes. The
 /// scene is made on the session's thread, and drawn on the window's.
 class SpaceDialog : public Dialog {
  public:
@@ -25,23 +25,23 @@ class SpaceDialog : public Dialog {
   void setRobot(const std::string& robot);
 
  protected:
-  /// What the session's thread is asked with, and where it draws.
+  /// The input of drawing on the session's thread, and the scene that it draws.
   struct Canvas {
     Console& console;
-    ConsoleRobot* robot;  ///< That is shown; null if there is none.
+    ConsoleRobot* robot;  ///< The robot that is shown; null if there is none.
     GlScene& scene;
   };
-  /// Draws on the session's thread. Returns a text to show above; a scene that stays empty shows
-  /// nothing else.
+  /// Draws on the session's thread. Returns a text to show above the scene; if the scene stays
+  /// empty, only the text is shown.
   using Draw = std::function<std::string(const Canvas&)>;
-  /// How the scene is drawn now. The function must not use the dialog.
+  /// Returns the function that draws the scene now. It must not use the dialog.
   virtual Draw drawing() const = 0;
   /// Adds to the context menu of a point.
   virtual void addActions(QMenu&, const QPointF&) {}
   void drawAgain() { shown_ = 0; }
 
  private:
-  /// Of the session's thread only.
+  /// Used by the session's thread only.
   struct Prepared {
     std::uint64_t beginnings = 0;
     std::shared_ptr<const mjModel> model;
@@ -52,18 +52,18 @@ class SpaceDialog : public Dialog {
   std::shared_ptr<Prepared> prepared_ = std::make_shared<Prepared>();
   std::string robot_;
   bool asked_ = false;
-  std::uint64_t shown_ = 0;  ///< Version of the session.
+  std::uint64_t shown_ = 0;  ///< Version of the session that is shown.
   QElapsedTimer answered_;
 };
 
-/// Stands for a dialog in space where there is no OpenGL.
+/// Replaces a dialog in space where there is no OpenGL.
 class NoOpenGl : public Dialog {
  public:
   explicit NoOpenGl(SessionThread& session);
   void refresh() override {}
 };
 
-/// Makes a dialog in space, or what stands for it where there is no OpenGL.
+/// Makes a dialog in space, or its replacement where there is no OpenGL.
 template <typename InSpace, typename Otherwise = NoOpenGl>
 Dialog* makeInSpace(SessionThread& session) {
   if (GlView::works()) return new InSpace{session};
