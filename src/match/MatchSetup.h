@@ -44,7 +44,7 @@ struct MatchSetup {
         field<&MatchSetup::randomChallenge>(
             "a challenge's start is random, whatever the scene says"),
         field<&MatchSetup::minutes>(Unit::min, "both halves together; 0: the scene's", {0, 1e4}),
-        field<&MatchSetup::seed>("the same one gives the same match")};
+        field<&MatchSetup::seed>("matches of one seed are equal")};
   }
 };
 static_assert(complete<MatchSetup>);
