@@ -16,6 +16,34 @@
 namespace gt {
 namespace {
 
+/// Whether somebody can click or type there, and it is not a part of another control.
+bool isControl(const QWidget& widget) {
+  const bool kind =
+      qobject_cast<const QAbstractButton*>(&widget) || qobject_cast<const QComboBox*>(&widget) ||
+      qobject_cast<const QAbstractSpinBox*>(&widget) || qobject_cast<const QSlider*>(&widget) ||
+      qobject_cast<const QLineEdit*>(&widget);
+  for (const QWidget* around = widget.parentWidget(); kind && around && !around->isWindow();
+       around = around->parentWidget())
+    if (qobject_cast<const QComboBox*>(around) || qobject_cast<const QAbstractSpinBox*>(around) ||
+        qobject_cast<const QAbstractItemView*>(around))
+      return false;
+  return kind && !widget.objectName().startsWith("qt_");
+}
+
+TEST_F(DialogTest, EachControlHasANameAndATooltip) {
+  std::vector<std::string> lacking;
+  for (const DialogType& type : Dialog::types()) {
+    window->bringToFront(type.id);
+    const QWidget* dialog = window->dialog(type.id);
+    ASSERT_TRUE(dialog) << type.id;
+    for (const QWidget* widget : dialog->findChildren<QWidget*>())
+      if (isControl(*widget) && (widget->objectName().isEmpty() || widget->toolTip().isEmpty()))
+        lacking.push_back(std::string{type.id} + ": " + widget->metaObject()->className() + " \"" +
+                          widget->objectName().toStdString() + "\"");
+  }
+  EXPECT_THAT(lacking, testing::IsEmpty());
+}
+
 TEST_F(DialogTest, DebugKeysAreSentByTheButton) {
   window->bringToFront("debugKeys");
   auto* key = widget<QComboBox>("debugKeys", "key");

@@ -18,6 +18,7 @@
 
 #include "workbench/BehaviorTraces.h"
 #include "workbench/ChartWidget.h"
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
 #include "workbench/RobotMenu.h"
 #include "xabsl/tools/trace/TraceFile.h"
@@ -178,19 +179,17 @@ class BehaviorGraph : public Dialog {
     auto* row = new QHBoxLayout;
     layout->addLayout(row);
     row->addWidget(new QLabel{"Option"});
-    option_ = new QComboBox;
-    option_->setObjectName("option");
-    option_->setToolTip("Whose states are shown; a click in the graph of options chooses one, too");
+    option_ = makeControl<QComboBox>(
+        "option", "Whose states are shown; a click in the graph of options chooses one, too");
     QObject::connect(option_, &QComboBox::currentIndexChanged, this, [this] { showStates(); });
     row->addWidget(option_, 1);
-    onlyActive_ = new QToolButton;
-    onlyActive_->setObjectName("onlyActive");
+    onlyActive_ = makeControl<QToolButton>(
+        "onlyActive",
+        "Shows only the options that were active so far; otherwise all that "
+        "the behavior's text calls");
     onlyActive_->setText("Active so far");
     onlyActive_->setCheckable(true);
     onlyActive_->setChecked(true);
-    onlyActive_->setToolTip(
-        "Shows only the options that were active so far; otherwise all that "
-        "the behavior's text calls");
     QObject::connect(onlyActive_, &QToolButton::toggled, this, [this] { showOptions(); });
     row->addWidget(onlyActive_);
     auto* parts = new QSplitter{Qt::Vertical};

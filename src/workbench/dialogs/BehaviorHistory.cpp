@@ -13,6 +13,7 @@
 #include <map>
 
 #include "workbench/BehaviorTraces.h"
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
 #include "workbench/RobotMenu.h"
 #include "xabsl/tools/trace/TraceFile.h"
@@ -187,12 +188,10 @@ class BehaviorHistory : public Dialog {
     layout->addLayout(row);
     place_ = new QLabel;
     row->addWidget(place_, 1);
-    seconds_ = new QSlider{Qt::Horizontal};
-    seconds_->setObjectName("seconds");
+    seconds_ = makeControl<QSlider>("seconds", "How many seconds are shown", Qt::Horizontal);
     seconds_->setRange(2, 120);
     seconds_->setValue(15);
     seconds_->setMaximumWidth(160);
-    seconds_->setToolTip("How many seconds are shown");
     QObject::connect(seconds_, &QSlider::valueChanged, this, [this] { showStrip(); });
     row->addWidget(seconds_);
     auto* parts = new QSplitter{Qt::Vertical};

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "representations/behavior/MotionRequest.h"
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
-#include "workbench/PushButton.h"
 #include "xabsl/language/Model.h"
 
 namespace gt {
@@ -115,27 +115,24 @@ class BehaviorTester : public Dialog {
   explicit BehaviorTester(SessionThread& session) : Dialog{session} {
     auto* layout = new QVBoxLayout{this};
     layout->setContentsMargins(4, 4, 4, 4);
-    element_ = new QComboBox;
-    element_->setObjectName("element");
-    element_->setMaxVisibleItems(30);
-    element_->setToolTip(
+    element_ = makeControl<QComboBox>(
+        "element",
         "What is executed instead of the engine's choice: options, and below the "
         "line basic behaviors");
+    element_->setMaxVisibleItems(30);
     layout->addWidget(element_);
     form_ = new QFormLayout;
     layout->addLayout(form_);
     auto* outputs = new QHBoxLayout;
-    output_ = new QComboBox;
-    output_->setObjectName("output");
-    output_->setToolTip("An output symbol that is set, whatever the behavior does");
-    value_ = new QComboBox;
-    value_->setObjectName("value");
+    output_ = makeControl<QComboBox>("output",
+                                     "An output symbol that is set, whatever the behavior does");
+    value_ = makeControl<QComboBox>("value", "The value that the output symbol is set to");
     value_->setEditable(true);
     outputs->addWidget(output_, 2);
     outputs->addWidget(value_, 1);
     layout->addLayout(outputs);
     auto* buttons = new QHBoxLayout;
-    const auto button = [&](auto... what) { addPushButton(*buttons, *this, what...); };
+    const auto button = [&](auto... what) { addButton(*buttons, *this, what...); };
     button("reload", "Reload files",
            "Reads the behavior's files anew, and sends the behavior to the connected robots",
            [this] { reload(); });
@@ -146,12 +143,9 @@ class BehaviorTester : public Dialog {
     error_->setWordWrap(true);
     error_->hide();
     layout->addWidget(error_);
-    motion_ = new QLabel;
-    motion_->setObjectName("motion");
-    motion_->setToolTip("The motion request that results");
+    motion_ = makeControl<QLabel>("motion", "The motion request that results");
     layout->addWidget(motion_);
-    filter_ = new QLineEdit;
-    filter_->setObjectName("filter");
+    filter_ = makeControl<QLineEdit>("filter", "Lists only symbols whose names hold these letters");
     filter_->setPlaceholderText("Symbols to show in the behavior viewer");
     filter_->setClearButtonEnabled(true);
     layout->addWidget(filter_);
@@ -237,8 +231,7 @@ class BehaviorTester : public Dialog {
     const Element* const chosen = element();
     if (!chosen) return;
     for (const Element::Parameter& parameter : chosen->parameters) {
-      auto* field = new QComboBox;
-      field->setObjectName(parameter.name);
+      auto* field = makeControl<QComboBox>(parameter.name, "A parameter of what is executed");
       field->setEditable(parameter.values.isEmpty());
       field->addItems(parameter.values);
       if (parameter.values.isEmpty()) field->setEditText("0");

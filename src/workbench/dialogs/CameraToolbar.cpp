@@ -7,8 +7,8 @@
 #include "base/File.h"
 #include "representations/infrastructure/CameraSettings.h"
 #include "streams/Config.h"
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
-#include "workbench/PushButton.h"
 #include "workbench/SendToRobots.h"
 
 namespace gt {
@@ -24,11 +24,11 @@ class CameraToolbar : public Dialog {
     shutter_ = box("shutter", {"slow", "medium", "fast"}, "How long the shutter is open");
     gain_ = box("gain", {"low", "medium", "high"}, "How much the image is amplified");
     for (QComboBox* known : {whiteBalance_, shutter_, gain_}) layout->addWidget(known);
-    addPushButton(*layout, *this, "send", "Send to robot",
-                  "Sets the cameras of the connected robots at once",
-                  [this] { sendToRobots(this->session(), chosen(), "The camera's setting"); });
-    addPushButton(*layout, *this, "save", "Save…", "Writes camera.cfg, with which robots begin",
-                  [this] { save(); });
+    addButton(*layout, *this, "send", "Send to robot",
+              "Sets the cameras of the connected robots at once",
+              [this] { sendToRobots(this->session(), chosen(), "The camera's setting"); });
+    addButton(*layout, *this, "save", "Save…", "Writes camera.cfg, with which robots begin",
+              [this] { save(); });
   }
 
   void refresh() override {
@@ -53,10 +53,8 @@ class CameraToolbar : public Dialog {
 
  private:
   static QComboBox* box(const char* name, const QStringList& words, const char* help) {
-    auto* made = new QComboBox;
-    made->setObjectName(name);
+    auto* made = makeControl<QComboBox>(name, help);
     made->addItems(words);
-    made->setToolTip(help);
     made->setCurrentIndex(1);
     return made;
   }

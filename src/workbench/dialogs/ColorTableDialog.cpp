@@ -14,6 +14,7 @@
 #include "colors/ColorTableEditor.h"
 #include "colors/ColorTableFile.h"
 #include "views/painting/ColorClassViews.h"
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
 #include "workbench/SendToRobots.h"
 #include "workbench/SheetWidget.h"
@@ -51,18 +52,14 @@ class ColorTableDialog : public Dialog {
     layout->setContentsMargins(4, 4, 4, 4);
     auto* grid = new QGridLayout;
     layout->addLayout(grid);
-    class_ = new QComboBox;
-    class_->setObjectName("class");
-    class_->setToolTip("The class that the left button gives");
+    class_ = makeControl<QComboBox>("class", "The class that the left button gives");
     for (const std::string_view name : enumNames<ColorClass>)
       class_->addItem(QString::fromStdString(std::string{name}));
     class_->setCurrentIndex(static_cast<int>(ColorClass::orange));
     grid->addWidget(class_, 0, 0);
     const auto button = [&](const char* name, const char* text, const char* help, int row,
                             int column, auto pressed) {
-      auto* made = new QPushButton{text};
-      made->setObjectName(name);
-      made->setToolTip(help);
+      auto* made = makeControl<QPushButton>(name, help, text);
       QObject::connect(made, &QPushButton::clicked, this, pressed);
       grid->addWidget(made, row, column);
     };
@@ -135,19 +132,15 @@ class ColorTableDialog : public Dialog {
  private:
   QSpinBox* spin(const char* name, int low, int high, int value, const char* text,
                  const char* help) {
-    auto* made = new QSpinBox;
-    made->setObjectName(name);
+    auto* made = makeControl<QSpinBox>(name, help);
     made->setRange(low, high);
     made->setValue(value);
     made->setPrefix(text);
-    made->setToolTip(help);
     return made;
   }
   QCheckBox* check(QGridLayout& grid, const char* name, const char* text, const char* help, int row,
                    int column) {
-    auto* made = new QCheckBox{text};
-    made->setObjectName(name);
-    made->setToolTip(help);
+    auto* made = makeControl<QCheckBox>(name, help, text);
     grid.addWidget(made, row, column);
     return made;
   }

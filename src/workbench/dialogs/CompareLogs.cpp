@@ -17,11 +17,11 @@
 
 #include "session/ComparedRuns.h"
 #include "workbench/Background.h"
+#include "workbench/Control.h"
 #include "workbench/CustomPlot.h"
 #include "workbench/Dialog.h"
 #include "workbench/DifferenceTree.h"
 #include "workbench/PlotColors.h"
-#include "workbench/PushButton.h"
 
 namespace gt {
 namespace {
@@ -43,10 +43,10 @@ class CompareLogs : public Dialog {
     grid->setColumnStretch(1, 1);
     auto* row = new QHBoxLayout;
     layout->addLayout(row);
-    addPushButton(*row, *this, "compare", "Compare", "Compares both sides, time by time",
-                  [this] { compare(); });
-    addPushButton(*row, *this, "stop", "Stop", "Shows what was compared so far",
-                  [this] { work_.stop(); });
+    addButton(*row, *this, "compare", "Compare", "Compares both sides, time by time",
+              [this] { compare(); });
+    addButton(*row, *this, "stop", "Stop", "Shows what was compared so far",
+              [this] { work_.stop(); });
     progress_ = new QProgressBar;
     progress_->setRange(0, 1000);
     progress_->setMaximumWidth(160);
@@ -107,14 +107,11 @@ class CompareLogs : public Dialog {
     auto* name = new QLabel{letter};
     name->setStyleSheet(QString{"font-weight: bold; color: %1"}.arg(QColor{sideColors[i]}.name()));
     grid.addWidget(name, i, 0);
-    side.file = new QLineEdit;
-    side.file->setObjectName("file" + letter);
+    side.file = makeControl<QLineEdit>("file" + letter, "The log on this side (.mcap, .log)");
     side.file->setPlaceholderText(i == 0 ? "A log" : "Another log; empty: the same one");
     side.file->setMinimumWidth(120);
     grid.addWidget(side.file, i, 1);
-    auto* choose = new QPushButton{"Choose…"};
-    choose->setObjectName("choose" + letter);
-    choose->setToolTip("Chooses a log");
+    auto* choose = makeControl<QPushButton>("choose" + letter, "Chooses a log", "Choose…");
     QObject::connect(choose, &QPushButton::clicked, this, [this, file = side.file] {
       const QString chosen = QFileDialog::getOpenFileName(this, "Compare a log", "out/logs",
                                                           "Logs (*.mcap *.log);;All (*)");
@@ -153,25 +150,24 @@ class CompareLogs : public Dialog {
   void addFilter(QVBoxLayout& layout) {
     auto* row = new QHBoxLayout;
     layout.addLayout(row);
-    filter_ = new QLineEdit;
-    filter_->setObjectName("filter");
+    filter_ = makeControl<QLineEdit>("filter", "Lists only values whose names hold these letters");
     filter_->setPlaceholderText("Find a value");
     filter_->setClearButtonEnabled(true);
     QObject::connect(filter_, &QLineEdit::textChanged, this, [this] { filter(); });
     row->addWidget(filter_, 1);
-    onlyDifferent_ = new QCheckBox{"Only differences"};
-    onlyDifferent_->setObjectName("onlyDifferent");
+    onlyDifferent_ = makeControl<QCheckBox>(
+        "onlyDifferent", "Leaves out what is the same on both sides", "Only differences");
     onlyDifferent_->setChecked(true);
     QObject::connect(onlyDifferent_, &QCheckBox::toggled, this, [this] { filter(); });
     row->addWidget(onlyDifferent_);
-    addPushButton(*row, *this, "previous", "Previous", "Goes to the difference before",
-                  [this] { tree_->goOn(-1); });
-    addPushButton(*row, *this, "next", "Next", "Goes to the next difference of the chosen row",
-                  [this] { tree_->goOn(1); });
-    addPushButton(*row, *this, "jump", "Show there",
-                  "Has two robots run on both logs up to the marked time, to be looked at by the "
-                  "viewers (context menu Robot)",
-                  [this] { jump(); });
+    addButton(*row, *this, "previous", "Previous", "Goes to the difference before",
+              [this] { tree_->goOn(-1); });
+    addButton(*row, *this, "next", "Next", "Goes to the next difference of the chosen row",
+              [this] { tree_->goOn(1); });
+    addButton(*row, *this, "jump", "Show there",
+              "Has two robots run on both logs up to the marked time, to be looked at by the "
+              "viewers (context menu Robot)",
+              [this] { jump(); });
   }
 
   void addPlot(QSplitter& parts) {

@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "representations/infrastructure/Player.h"
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
 
 namespace gt {
@@ -38,13 +39,11 @@ class Connections : public Dialog {
     layout->setContentsMargins(4, 4, 4, 4);
     auto* top = new QHBoxLayout;
     layout->addLayout(top);
-    network_ = new QComboBox;
-    network_->setObjectName("network");
-    network_->setToolTip("The network's configuration");
+    network_ = makeControl<QComboBox>("network", "The network's configuration");
     top->addWidget(network_, 1);
-    button(*top, "new", "New…", "Adds a network",
-           [this] { add(QInputDialog::getText(this, "New network", "Name:")); });
-    button(*top, "delete", "Delete", "Deletes the network", [this] {
+    addButton(*top, *this, "new", "New…", "Adds a network",
+              [this] { add(QInputDialog::getText(this, "New network", "Name:")); });
+    addButton(*top, *this, "delete", "Delete", "Deletes the network", [this] {
       networks_.remove(network_->currentText());
       showNetworks({});
     });
@@ -60,20 +59,21 @@ class Connections : public Dialog {
     layout->addWidget(table_);
     auto* bottom = new QHBoxLayout;
     layout->addLayout(bottom);
-    button(*bottom, "addRobot", "Add robot", "Adds a robot to the network", [this] {
+    addButton(*bottom, *this, "addRobot", "Add robot", "Adds a robot to the network", [this] {
       addRobot({true, "robot", "tcp://10.0.1.1:15000"});
       keep();
     });
-    button(*bottom, "removeRobot", "Remove robot", "Removes the robot that is marked", [this] {
-      table_->removeRow(table_->currentRow());
-      keep();
-    });
-    gameManager_ = new QCheckBox{"Game manager"};
-    gameManager_->setObjectName("gameManager");
-    gameManager_->setToolTip("The router has a port for a game manager, too");
+    addButton(*bottom, *this, "removeRobot", "Remove robot", "Removes the robot that is marked",
+              [this] {
+                table_->removeRow(table_->currentRow());
+                keep();
+              });
+    gameManager_ = makeControl<QCheckBox>(
+        "gameManager", "The router has a port for a game manager, too", "Game manager");
     bottom->addWidget(gameManager_);
     bottom->addStretch();
-    button(*bottom, "connect", "Connect", "Connects to all enabled robots", [this] { connect(); });
+    addButton(*bottom, *this, "connect", "Connect", "Connects to all enabled robots",
+              [this] { connect(); });
     state_ = new QLabel;
     state_->setObjectName("state");
     state_->setWordWrap(true);
@@ -140,16 +140,6 @@ class Connections : public Dialog {
     clock_.invalidate();
   }
 
-  template <typename Pressed>
-  void button(QHBoxLayout& row, const char* name, const char* text, const char* help,
-              Pressed pressed) {
-    auto* made = new QPushButton{text};
-    made->setObjectName(name);
-    made->setToolTip(help);
-    QObject::connect(made, &QPushButton::clicked, this, pressed);
-    row.addWidget(made);
-  }
-
   void showNetworks(const QString& current) {
     {
       const QSignalBlocker quiet{network_};
@@ -182,9 +172,8 @@ class Connections : public Dialog {
       table_->setItem(row, column, new QTableWidgetItem{robot[column].toString()});
     addChoice<TeamColor>(row, teamColumn, robot[teamColumn].toString());
     addChoice<PlayerRole>(row, roleColumn, robot[roleColumn].toString());
-    auto* copy = new QPushButton{"Copy"};
-    copy->setObjectName("copy");
-    copy->setToolTip("Copies the configuration with this name, address, team color and role");
+    auto* copy = makeControl<QPushButton>(
+        "copy", "Copies the configuration with this name, address, team color and role", "Copy");
     QObject::connect(copy, &QPushButton::clicked, this, [this, copy] { deploy(rowOf(copy)); });
     table_->setCellWidget(row, copyColumn, copy);
   }

@@ -9,6 +9,7 @@
 #include <QStringListModel>
 #include <QVBoxLayout>
 
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
 
 namespace gt {
@@ -41,8 +42,8 @@ class ConsoleDialog : public Dialog {
     QFont font{"DejaVu Sans Mono"};
     font.setStyleHint(QFont::Monospace);
     output_->setFont(font);
-    input_ = new QLineEdit;
-    input_->setObjectName("input");
+    input_ = makeControl<QLineEdit>(
+        "input", "A command of the console; up and down bring earlier ones back");
     input_->setFont(font);
     input_->setPlaceholderText("A command; help lists them, tab completes");
     help_ = new QLabel;

@@ -16,8 +16,8 @@
 #include <optional>
 #include <utility>
 
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
-#include "workbench/PushButton.h"
 
 namespace gt {
 namespace {
@@ -46,24 +46,22 @@ std::optional<Control> edited(QWidget* parent, Control control) {
   QDialog dialog{parent};
   dialog.setWindowTitle("Button or slider");
   auto* form = new QFormLayout{&dialog};
-  auto* text = new QLineEdit{control.text};
-  text->setObjectName("text");
-  auto* line = new QLineEdit{control.line};
-  line->setObjectName("line");
+  auto* text = makeControl<QLineEdit>("text", "What stands on the button, or beside the slider",
+                                      control.text);
+  auto* line = makeControl<QLineEdit>("line", "A line of the console; %1 is the value of a slider",
+                                      control.line);
   line->setPlaceholderText("place ball 0 0, or set … %1");
-  line->setToolTip("A line of the console; %1 is the value of a slider");
-  auto* key = new QKeySequenceEdit{QKeySequence{control.key}};
-  key->setObjectName("key");
-  const auto number = [](const char* name, double value) {
-    auto* box = new QDoubleSpinBox;
-    box->setObjectName(name);
+  auto* key = makeControl<QKeySequenceEdit>("key", "The key that presses the button",
+                                            QKeySequence{control.key});
+  const auto number = [](const char* name, const char* help, double value) {
+    auto* box = makeControl<QDoubleSpinBox>(name, help);
     box->setRange(-1e6, 1e6);
     box->setDecimals(3);
     box->setValue(value);
     return box;
   };
-  auto* low = number("low", control.low);
-  auto* high = number("high", control.high);
+  auto* low = number("low", "The value at the left end", control.low);
+  auto* high = number("high", "The value at the right end", control.high);
   form->addRow("Text", text);
   form->addRow("Console line", line);
   form->addRow("Key", key);
@@ -94,13 +92,13 @@ class Controls : public Dialog {
     auto* bottom = new QHBoxLayout;
     layout->addLayout(bottom);
     bottom->addStretch();
-    addPushButton(*bottom, *this, "add", "Add…",
-                  "Adds a button, or a slider if its console line holds %1", [this] {
-                    if (const auto made = edited(this, {})) {
-                      controls_.push_back(*made);
-                      showControls();
-                    }
-                  });
+    addButton(*bottom, *this, "add", "Add…",
+              "Adds a button, or a slider if its console line holds %1", [this] {
+                if (const auto made = edited(this, {})) {
+                  controls_.push_back(*made);
+                  showControls();
+                }
+              });
   }
 
   QJsonObject settings() const override {
@@ -132,9 +130,8 @@ class Controls : public Dialog {
 
   QWidget* button(std::size_t index) {
     const Control& control = controls_[index];
-    auto* made = new QPushButton{control.text};
-    made->setObjectName("control" + QString::number(index));
-    made->setToolTip(control.line);
+    auto* made =
+        makeControl<QPushButton>("control" + QString::number(index), control.line, control.text);
     QObject::connect(made, &QPushButton::clicked, this,
                      [this, line = control.line] { session().execute(line.toStdString()); });
     if (!control.key.isEmpty()) {
@@ -154,9 +151,8 @@ class Controls : public Dialog {
     auto* layout = new QHBoxLayout{row};
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(new QLabel{control.text});
-    auto* made = new QSlider{Qt::Horizontal};
-    made->setObjectName("control" + QString::number(index));
-    made->setToolTip(control.line);
+    auto* made =
+        makeControl<QSlider>("control" + QString::number(index), control.line, Qt::Horizontal);
     made->setRange(0, sliderSteps);
     const double width = std::max(control.high - control.low, 1e-9);
     made->setValue(

@@ -15,6 +15,7 @@
 #include <map>
 
 #include "base/Lines.h"
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
 
 namespace gt {
@@ -53,12 +54,11 @@ class DebugKeys : public Dialog {
     auto* top = new QHBoxLayout;
     group_ = new QButtonGroup{this};
     for (int kind = 0; kind < 2; ++kind) {
-      auto* button = new QToolButton;
+      auto* button = makeControl<QToolButton>(QString{robotKinds[kind]}.toLower(),
+                                              "Edits the table of these robots");
       button->setText(robotKinds[kind]);
-      button->setObjectName(QString{robotKinds[kind]}.toLower());
       button->setCheckable(true);
       button->setChecked(kind == 0);
-      button->setToolTip("Edits the table of these robots");
       group_->addButton(button, kind);
       top->addWidget(button);
     }
@@ -66,33 +66,26 @@ class DebugKeys : public Dialog {
       kind_ = kind;
       showTable();
     });
-    all_ = new QCheckBox{"All"};
-    all_->setObjectName("all");
-    all_->setToolTip("To all robots, not to the connected ones only");
+    all_ = makeControl<QCheckBox>("all", "To all robots, not to the connected ones only", "All");
     top->addWidget(all_);
     top->addStretch();
     layout->addLayout(top);
 
-    key_ = new QComboBox;
-    key_->setObjectName("key");
+    key_ = makeControl<QComboBox>("key", "A debug key, or send and the name of a representation");
     key_->setEditable(true);
     key_->setInsertPolicy(QComboBox::NoInsert);
     key_->completer()->setCompletionMode(QCompleter::PopupCompletion);
     key_->completer()->setFilterMode(Qt::MatchContains);
-    key_->setToolTip("A debug key, or send and the name of a representation");
     layout->addWidget(key_);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(2);
     for (const Mode& mode : modes) {
-      auto* button = new QToolButton;
+      auto* button = makeControl<QToolButton>(mode.name, mode.help);
       button->setText(mode.text);
-      button->setObjectName(mode.name);
-      button->setToolTip(mode.help);
       QObject::connect(button, &QToolButton::clicked, this, [this, &mode] { set(mode); });
       buttons->addWidget(button);
     }
-    n_ = new QSpinBox;
-    n_->setObjectName("n");
+    n_ = makeControl<QSpinBox>("n", "The number n of the buttons before it: times or milliseconds");
     n_->setRange(1, 1'000'000);
     n_->setPrefix("n = ");
     buttons->addWidget(n_);
@@ -114,13 +107,11 @@ class DebugKeys : public Dialog {
 
     auto* queue = new QHBoxLayout;
     queue->addWidget(new QLabel{"Send"});
-    fill_ = new QComboBox;
-    fill_->setObjectName("fill");
-    fill_->setToolTip("How the robot's queue of messages to the tools is filled");
+    fill_ =
+        makeControl<QComboBox>("fill", "How the robot's queue of messages to the tools is filled");
     for (const Fill& fill : fills) fill_->addItem(fill.text, fill.command);
     queue->addWidget(fill_, 1);
-    seconds_ = new QSpinBox;
-    seconds_->setObjectName("seconds");
+    seconds_ = makeControl<QSpinBox>("seconds", "The number n of the queue's modes: seconds");
     seconds_->setRange(1, 3600);
     seconds_->setValue(10);
     seconds_->setPrefix("n = ");
@@ -128,15 +119,13 @@ class DebugKeys : public Dialog {
     layout->addLayout(queue);
 
     auto* bottom = new QHBoxLayout;
-    auto* off = new QPushButton{"Disable all"};
-    off->setObjectName("disableAll");
+    auto* off = makeControl<QPushButton>(
+        "disableAll", "Takes all keys out of the table; Send switches them off", "Disable all");
     QObject::connect(off, &QPushButton::clicked, this, [this] {
       for (auto& [key, entry] : tables_[kind_]) entry = {};
       showTable();
     });
-    auto* send = new QPushButton{"Send"};
-    send->setObjectName("send");
-    send->setToolTip("Sends what has changed in both tables");
+    auto* send = makeControl<QPushButton>("send", "Sends what has changed in both tables", "Send");
     QObject::connect(send, &QPushButton::clicked, this, [this] { sendAll(); });
     bottom->addWidget(off);
     bottom->addStretch();

@@ -6,8 +6,8 @@
 #include <QVBoxLayout>
 
 #include "views/Views.h"
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
-#include "workbench/PushButton.h"
 
 namespace gt {
 namespace {
@@ -19,23 +19,20 @@ class FilmDialog : public Dialog {
     auto* layout = new QVBoxLayout{this};
     auto* form = new QFormLayout;
     layout->addLayout(form);
-    view_ = new QComboBox;
-    view_->setObjectName("view");
+    view_ = makeControl<QComboBox>("view", "The view that is filmed");
     for (const auto& view : builtInViews()) {
       view_->addItem(QString::fromStdString(view->name()));
       view_->setItemData(view_->count() - 1, QString::fromStdString(view->help()), Qt::ToolTipRole);
     }
     view_->setCurrentText("scene");
     form->addRow("View", view_);
-    numbers_ = new QLineEdit;
-    numbers_->setObjectName("numbers");
+    numbers_ = makeControl<QLineEdit>("numbers", "Numbers of the view, separated by blanks");
     numbers_->setPlaceholderText("Numbers of the view, such as from where it looks");
     form->addRow("Numbers", numbers_);
     auto* row = new QHBoxLayout;
-    file_ = new QLineEdit{"out/film.mp4"};
-    file_->setObjectName("file");
+    file_ = makeControl<QLineEdit>("file", "The film (.mp4)", "out/film.mp4");
     row->addWidget(file_);
-    addPushButton(*row, *this, "choose", "Choose…", "Chooses the file", [this] {
+    addButton(*row, *this, "choose", "Choose…", "Chooses the file", [this] {
       const QString file =
           QFileDialog::getSaveFileName(this, "Film", file_->text(), "Films (*.mp4)");
       if (!file.isEmpty()) file_->setText(file);
@@ -43,13 +40,13 @@ class FilmDialog : public Dialog {
     form->addRow("File", row);
     auto* buttons = new QHBoxLayout;
     layout->addLayout(buttons);
-    addPushButton(*buttons, *this, "start", "Start", "Films 25 images a simulated second", [this] {
+    addButton(*buttons, *this, "start", "Start", "Films 25 images a simulated second", [this] {
       const QString line = "film start \"" + file_->text() + "\" " + view_->currentText() + " " +
                            numbers_->text().simplified();
       execute(line.trimmed().toStdString(), "is being filmed");
     });
-    addPushButton(*buttons, *this, "stop", "Stop", "Ends the film",
-                  [this] { execute("film stop", "is written"); });
+    addButton(*buttons, *this, "stop", "Stop", "Ends the film",
+              [this] { execute("film stop", "is written"); });
     buttons->addStretch();
     state_ = new QLabel;
     state_->setObjectName("state");

@@ -6,6 +6,7 @@
 #include <QSpinBox>
 #include <QToolButton>
 
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
 
 namespace gt {
@@ -17,62 +18,51 @@ class GameToolbar : public Dialog {
   explicit GameToolbar(SessionThread& session) : Dialog{session} {
     auto* layout = new QHBoxLayout{this};
     layout->setContentsMargins(2, 0, 2, 0);
-    const auto button = [&](const char* name, const char* text, const char* help, auto pressed) {
-      auto* made = new QToolButton;
-      made->setObjectName(name);
-      made->setText(text);
-      made->setToolTip(help);
-      QObject::connect(made, &QToolButton::clicked, this, pressed);
-      layout->addWidget(made);
-    };
     const auto order = [this](const char* what) {
       return [this, what] { this->session().execute(std::string{"gc "} + what); };
     };
-    button("initial", "Initial", "Begins the game anew; the score is cleared", order("reset"));
-    button("ready", "Ready", "Robots go to their places; all penalties are lifted", order("ready"));
-    kickOff_ = new QComboBox;
-    kickOff_->setObjectName("kickOff");
+    addButton<QToolButton>(*layout, *this, "initial", "Initial",
+                           "Begins the game anew; the score is cleared", order("reset"));
+    addButton<QToolButton>(*layout, *this, "ready", "Ready",
+                           "Robots go to their places; all penalties are lifted", order("ready"));
+    kickOff_ = makeControl<QComboBox>("kickOff", "Whose kick-off it is");
     kickOff_->addItems({"red", "blue"});
-    kickOff_->setToolTip("Whose kick-off it is");
     red_ = score("red");
     blue_ = score("blue");
-    button("set", "Set", "Stops all robots for the kick-off of the chosen team, at this score",
-           [this] {
-             this->session().execute("gc kickOff " + kickOff_->currentText().toStdString() + " " +
-                                     std::to_string(blue_->value()) + " " +
-                                     std::to_string(red_->value()));
-           });
+    addButton<QToolButton>(
+        *layout, *this, "set", "Set",
+        "Stops all robots for the kick-off of the chosen team, at this score", [this] {
+          this->session().execute("gc kickOff " + kickOff_->currentText().toStdString() + " " +
+                                  std::to_string(blue_->value()) + " " +
+                                  std::to_string(red_->value()));
+        });
     layout->addWidget(kickOff_);
     layout->addWidget(red_);
     layout->addWidget(new QLabel{":"});
     layout->addWidget(blue_);
-    button("playing", "Playing", "The game goes on", order("playing"));
-    button("finished", "Finished", "Ends the game", order("final"));
-    player_ = new QComboBox;
-    player_->setObjectName("player");
-    player_->setToolTip("The robot that is penalized");
+    addButton<QToolButton>(*layout, *this, "playing", "Playing", "The game goes on",
+                           order("playing"));
+    addButton<QToolButton>(*layout, *this, "finished", "Finished", "Ends the game", order("final"));
+    player_ = makeControl<QComboBox>("player", "The robot that is penalized");
     player_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     layout->addWidget(player_);
-    penalty_ = new QComboBox;
-    penalty_->setObjectName("penalty");
-    penalty_->setToolTip("For what it is penalized");
+    penalty_ = makeControl<QComboBox>("penalty", "For what it is penalized");
     penalty_->addItems({"illegalDefender", "obstruction", "keeperCharged", "ballHolding",
                         "fieldPlayerCharged", "illegalDefense", "requestForPickup"});
     penalty_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     penalty_->setMinimumContentsLength(10);
     penalty_->view()->setMinimumWidth(150);
     layout->addWidget(penalty_);
-    button("penalize", "Penalize", "Penalizes the robot",
-           [this] { penalize("pr " + penalty_->currentText().toStdString()); });
-    button("continue", "Continue", "Lifts the robot's penalty",
-           [this] { penalize("pr continue"); });
+    addButton<QToolButton>(*layout, *this, "penalize", "Penalize", "Penalizes the robot",
+                           [this] { penalize("pr " + penalty_->currentText().toStdString()); });
+    addButton<QToolButton>(*layout, *this, "continue", "Continue", "Lifts the robot's penalty",
+                           [this] { penalize("pr continue"); });
     layout->addWidget(new QLabel{"Speed"});
-    gameSpeed_ = new QSlider{Qt::Horizontal};
-    gameSpeed_->setObjectName("gameSpeed");
+    gameSpeed_ = makeControl<QSlider>(
+        "gameSpeed", "Factor on the speeds at which all robots walk, 0.1 to 1", Qt::Horizontal);
     gameSpeed_->setRange(1, 10);
     gameSpeed_->setValue(10);
     gameSpeed_->setFixedWidth(60);
-    gameSpeed_->setToolTip("Factor on the speeds at which all robots walk, 0.1 to 1");
     QObject::connect(gameSpeed_, &QSlider::valueChanged, this, [this](int tenths) {
       const std::string command = "gs " + QString::number(tenths / 10.0).toStdString();
       this->session().execute("to allSimulatedRobots " + command);
@@ -99,12 +89,10 @@ class GameToolbar : public Dialog {
 
  private:
   QSpinBox* score(const char* name) {
-    auto* box = new QSpinBox{this};
-    box->setObjectName(name);
+    auto* box = makeControl<QSpinBox>(name, QString{"Goals of the %1 team"}.arg(name), this);
     box->setRange(0, 99);
     box->setButtonSymbols(QAbstractSpinBox::NoButtons);
     box->setFixedWidth(32);
-    box->setToolTip(QString{"Goals of the %1 team"}.arg(name));
     return box;
   }
   void penalize(const std::string& command) {

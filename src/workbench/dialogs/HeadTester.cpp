@@ -6,8 +6,8 @@
 #include <QVBoxLayout>
 
 #include "representations/behavior/HeadControlMode.h"
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
-#include "workbench/PushButton.h"
 
 namespace gt {
 namespace {
@@ -31,24 +31,26 @@ class HeadTester : public Dialog {
     auto* layout = new QVBoxLayout{this};
     auto* grid = new QGridLayout;
     layout->addLayout(grid);
-    mode_ = new QComboBox;
-    mode_->setObjectName("mode");
+    mode_ = makeControl<QComboBox>("mode", "What the head shall do");
     for (const std::string_view name : enumNames<HeadMode>)
       mode_->addItem(QString::fromStdString(std::string{name}));
     grid->addWidget(new QLabel{"Mode"}, 0, 0);
     grid->addWidget(mode_, 0, 1, 1, 2);
     int row = 1;
     for (const char* name : {"pointX", "pointY", "pointZ"}) {
-      auto* box = number(name, -5000, 5000, " mm");
+      auto* box = number(name, "A coordinate of the point that is looked at", -5000, 5000, " mm");
       point_ << add(*grid, row++, QString{"Point "} + name[5], box);
     }
     pointBoxes_[0]->setValue(1000);
-    scan_ << add(*grid, row++, "Scan at tilt", number("scanTilt", -80, 40, "°"));
-    scan_ << add(*grid, row++, "to each side", number("scanRange", 0, 90, "°"));
+    scan_ << add(*grid, row++, "Scan at tilt",
+                 number("scanTilt", "The head's tilt while it scans", -80, 40, "°"));
+    scan_ << add(*grid, row++, "to each side",
+                 number("scanRange", "How far the head turns to each side", 0, 90, "°"));
     pointBoxes_[4]->setValue(45);
     for (const HeadJoint& joint : joints) {
-      auto* slider = new QSlider{Qt::Horizontal};
-      slider->setObjectName(joint.name);
+      auto* slider = makeControl<QSlider>(
+          joint.name, QString{"Angle of the head's %1"}.arg(QString{joint.text}.toLower()),
+          Qt::Horizontal);
       slider->setRange(joint.low, joint.high);
       auto* value = new QLabel{"0°"};
       value->setMinimumWidth(40);
@@ -63,7 +65,7 @@ class HeadTester : public Dialog {
     }
     auto* buttons = new QHBoxLayout;
     layout->addLayout(buttons);
-    const auto button = [&](auto... what) { addPushButton(*buttons, *this, what...); };
+    const auto button = [&](auto... what) { addButton(*buttons, *this, what...); };
     button("takeOver", "Take over", "Disables BehaviorControl, so that requests by hand last",
            [this] { this->session().execute("sr BehaviorControl disabled"); });
     button("send", "Send", "Sends the mode to the connected robot", [this] { send(); });
@@ -76,9 +78,8 @@ class HeadTester : public Dialog {
 
  private:
   bool modeIs(HeadMode mode) const { return mode_->currentIndex() == static_cast<int>(mode); }
-  QSpinBox* number(const char* name, int low, int high, const char* unit) {
-    auto* box = new QSpinBox;
-    box->setObjectName(name);
+  QSpinBox* number(const char* name, const char* help, int low, int high, const char* unit) {
+    auto* box = makeControl<QSpinBox>(name, help);
     box->setRange(low, high);
     box->setSuffix(unit);
     pointBoxes_ << box;

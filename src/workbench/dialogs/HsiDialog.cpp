@@ -15,9 +15,9 @@
 #include "colors/ColorTableFile.h"
 #include "colors/HsiEditor.h"
 #include "views/painting/ColorClassViews.h"
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
 #include "workbench/ImageSource.h"
-#include "workbench/PushButton.h"
 #include "workbench/SendToRobots.h"
 #include "workbench/SheetWidget.h"
 
@@ -90,23 +90,18 @@ class HsiDialog : public Dialog {
     auto* row = new QHBoxLayout;
     grid.addLayout(row, 2, column);
     const QString name = QString{"capture%1"}.arg(i + 1);
-    addPushButton(*row, *this, name.toLatin1(), "Capture", "Takes the robot's image of now",
-                  [this, i] {
-                    if (newest_) take(i, *newest_);
-                  });
+    addButton(*row, *this, name.toLatin1(), "Capture", "Takes the robot's image of now", [this, i] {
+      if (newest_) take(i, *newest_);
+    });
     if (i > 0) return;
-    update_ = new QCheckBox{"Update"};
-    update_->setObjectName("update");
-    update_->setToolTip("Shows the robot's images as they come");
+    update_ = makeControl<QCheckBox>("update", "Shows the robot's images as they come", "Update");
     update_->setChecked(true);
     row->addWidget(update_);
   }
   void addControls(QBoxLayout& layout) {
     auto* grid = new QGridLayout;
     layout.addLayout(grid);
-    class_ = new QComboBox;
-    class_->setObjectName("class");
-    class_->setToolTip("The class that is edited");
+    class_ = makeControl<QComboBox>("class", "The class that is edited");
     for (std::size_t i = 1; i < enumCount<ColorClass>; ++i)
       class_->addItem(QString::fromStdString(std::string{enumNames<ColorClass>[i]}));
     QObject::connect(class_, &QComboBox::currentIndexChanged, this, [this] { showSliders(); });
@@ -124,16 +119,16 @@ class HsiDialog : public Dialog {
     }
     auto* buttons = new QHBoxLayout;
     layout.addLayout(buttons);
-    addPushButton(*buttons, *this, "undo", "Undo", "Takes the last change back", [this] {
+    addButton(*buttons, *this, "undo", "Undo", "Takes the last change back", [this] {
       if (editor_.undo()) changed();
     });
-    addPushButton(*buttons, *this, "send", "Send",
-                  "Sends the classes to the connected robots as a color table",
-                  [this] { sendToRobots(this->session(), table_, "The color table"); });
-    addPushButton(*buttons, *this, "load", "Load…", "Reads classes (.hsi)", [this] { load(); });
-    addPushButton(*buttons, *this, "save", "Save…",
-                  "Writes the classes (.hsi), and the table of the same name (.c64)",
-                  [this] { save(); });
+    addButton(*buttons, *this, "send", "Send",
+              "Sends the classes to the connected robots as a color table",
+              [this] { sendToRobots(this->session(), table_, "The color table"); });
+    addButton(*buttons, *this, "load", "Load…", "Reads classes (.hsi)", [this] { load(); });
+    addButton(*buttons, *this, "save", "Save…",
+              "Writes the classes (.hsi), and the table of the same name (.c64)",
+              [this] { save(); });
   }
 
   ColorClass chosen() const { return static_cast<ColorClass>(class_->currentIndex() + 1); }

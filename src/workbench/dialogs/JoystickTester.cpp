@@ -11,6 +11,7 @@
 #include <functional>
 
 #include "representations/motion/MotionInfo.h"
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
 
 namespace gt {
@@ -99,9 +100,8 @@ class JoystickTester : public Dialog {
     auto* layout = new QVBoxLayout{this};
     auto* row = new QHBoxLayout;
     layout->addLayout(row);
-    use_ = new QCheckBox{"Use joystick"};
-    use_->setObjectName("use");
-    use_->setToolTip("Reads this machine's joystick while time passes");
+    use_ = makeControl<QCheckBox>("use", "Reads this machine's joystick while time passes",
+                                  "Use joystick");
     QObject::connect(use_, &QCheckBox::clicked, this, [this](bool on) {
       // Without a joystick it is refused.
       this->session().execute(on ? "joystick on" : "joystick off", this,
@@ -110,10 +110,8 @@ class JoystickTester : public Dialog {
                               });
     });
     row->addWidget(use_);
-    scheme_ = new QComboBox;
-    scheme_->setObjectName("scheme");
+    scheme_ = makeControl<QComboBox>("scheme", "What the parts of the joystick do");
     scheme_->addItems({"commands", "stickSpeed", "acceleratorSpeed"});
-    scheme_->setToolTip("What the parts of the joystick do");
     QObject::connect(scheme_, &QComboBox::activated, this, [this] {
       this->session().execute("joystick scheme " + scheme_->currentText().toStdString());
     });
@@ -128,9 +126,8 @@ class JoystickTester : public Dialog {
     addLever(*parts, "z", "Turns the stick");
     addLever(*parts, "accelerator", "The accelerator lever");
     addButtons(*layout);
-    motion_ = new QLabel;
-    motion_->setObjectName("motion");
-    motion_->setToolTip(
+    motion_ = makeControl<QLabel>(
+        "motion",
         "What is asked of the robot. Red: not yet executed; gray: something else is active");
     motion_->setWordWrap(true);
     layout->addWidget(motion_);
@@ -165,10 +162,8 @@ class JoystickTester : public Dialog {
 
  private:
   void addLever(QBoxLayout& layout, const char* axis, const char* help) {
-    auto* lever = new QSlider{Qt::Vertical};
-    lever->setObjectName(axis);
+    auto* lever = makeControl<QSlider>(axis, help, Qt::Vertical);
     lever->setRange(-sliderEnd, sliderEnd);
-    lever->setToolTip(help);
     QObject::connect(lever, &QSlider::valueChanged, this, [this, axis](int value) {
       move(std::string{axis} + " " + decimal(static_cast<double>(value) / sliderEnd));
     });
@@ -178,13 +173,12 @@ class JoystickTester : public Dialog {
     auto* row = new QHBoxLayout;
     layout.addLayout(row);
     for (int i = 1; i <= buttonCount; ++i) {
-      auto* button = new QToolButton;
-      button->setObjectName(QString{"button%1"}.arg(i));
+      auto* button = makeControl<QToolButton>(
+          QString{"button%1"}.arg(i), i <= 4   ? "Kicks"
+                                      : i == 5 ? "While it is held, the stick moves the head"
+                                      : i == 7 ? "Gets up"
+                                               : "As the scheme says");
       button->setText(QString::number(i));
-      button->setToolTip(i <= 4   ? "Kicks"
-                         : i == 5 ? "While it is held, the stick moves the head"
-                         : i == 7 ? "Gets up"
-                                  : "As the scheme says");
       const auto press = [this, i](const char* what) {
         this->session().execute(std::string{"joystick "} + what + " " + std::to_string(i));
       };

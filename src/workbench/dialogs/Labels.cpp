@@ -24,10 +24,10 @@
 #include "representations/infrastructure/Image.h"
 #include "session/LabelEvaluation.h"
 #include "workbench/Background.h"
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
 #include "workbench/LabelErrorPlot.h"
 #include "workbench/LabelSheet.h"
-#include "workbench/PushButton.h"
 #include "workbench/SheetWidget.h"
 
 namespace gt {
@@ -89,9 +89,7 @@ class Labels : public Dialog {
       draw(from, to, done);
     };
     upper->addWidget(sheet_);
-    list_ = new QListWidget;
-    list_->setObjectName("labels");
-    list_->setToolTip("What is labeled in this image; Delete removes it");
+    list_ = makeControl<QListWidget>("labels", "What is labeled in this image; Delete removes it");
     upper->addWidget(list_);
     upper->setStretchFactor(0, 4);
     upper->setStretchFactor(1, 1);
@@ -139,21 +137,18 @@ class Labels : public Dialog {
     auto* row = new QHBoxLayout;
     layout.addLayout(row);
     row->addWidget(new QLabel{"Image"});
-    number_ = new QSpinBox;
-    number_->setObjectName("number");
-    number_->setToolTip("The image's number in the log, from 0");
+    number_ = makeControl<QSpinBox>("number", "The image's number in the log, from 0");
     number_->setRange(-1, -1);
     number_->setSpecialValueText("–");
     number_->setKeyboardTracking(false);
     number_->setMinimumWidth(80);
     QObject::connect(number_, &QSpinBox::valueChanged, this, [this](int number) { goTo(number); });
     row->addWidget(number_);
-    addPushButton(*row, *this, "nextLabeled", "Next labeled", "Goes to the next image with labels",
-                  [this] { goToLabeled(); });
+    addButton(*row, *this, "nextLabeled", "Next labeled", "Goes to the next image with labels",
+              [this] { goToLabeled(); });
     row->addWidget(new QLabel{"Mark"});
-    tool_ = new QComboBox;
-    tool_->setObjectName("tool");
-    tool_->setToolTip(
+    tool_ = makeControl<QComboBox>(
+        "tool",
         "What is marked: a ball from its middle to its rim, lines point by point, "
         "flags, goals and players from corner to corner, down to the ground");
     for (const LabelTool& tool : tools_) tool_->addItem(QString::fromStdString(tool.name));
@@ -161,37 +156,33 @@ class Labels : public Dialog {
     tool_->setMinimumContentsLength(6);
     QObject::connect(tool_, &QComboBox::currentIndexChanged, this, [this] { editor_.endLine(); });
     row->addWidget(tool_, 1);
-    addPushButton(*row, *this, "newLine", "New line", "The next point begins another line",
-                  [this] { editor_.endLine(); });
-    addPushButton(*row, *this, "undo", "Undo", "Takes the last change back (Ctrl+Z)",
-                  [this] { undo(); });
+    addButton(*row, *this, "newLine", "New line", "The next point begins another line",
+              [this] { editor_.endLine(); });
+    addButton(*row, *this, "undo", "Undo", "Takes the last change back (Ctrl+Z)",
+              [this] { undo(); });
     auto* undoing =
         new QShortcut{QKeySequence::Undo, this, nullptr, nullptr, Qt::WidgetWithChildrenShortcut};
     QObject::connect(undoing, &QShortcut::activated, this, [this] { undo(); });
-    percepts_ = new QCheckBox{"Percepts"};
-    percepts_->setObjectName("percepts");
+    percepts_ =
+        makeControl<QCheckBox>("percepts", "Shows what vision finds, too, in pink", "Percepts");
     percepts_->setChecked(true);
-    percepts_->setToolTip("Shows what vision finds, too, in pink");
     QObject::connect(percepts_, &QCheckBox::toggled, this, [this] { paint(); });
     row->addWidget(percepts_);
     auto* files = new QHBoxLayout;
     layout.addLayout(files);
-    addPushButton(*files, *this, "open", "Open…", "Reads labels: NAME-labels.csv, NAME-field.csv",
-                  [this] { open(); });
-    addPushButton(*files, *this, "save", "Save", "Writes labels to where they were read from",
-                  [this] { save(); });
-    addPushButton(*files, *this, "saveAs", "Save as…", "Writes labels to other files",
-                  [this] { saveAs(); });
-    addPushButton(
-        *files, *this, "test", "Save image as test…",
-        "Writes a script that fails if vision does not find in this image what is labeled",
-        [this] { saveTest(); });
-    tolerance_ = new QDoubleSpinBox;
-    tolerance_->setObjectName("tolerance");
+    addButton(*files, *this, "open", "Open…", "Reads labels: NAME-labels.csv, NAME-field.csv",
+              [this] { open(); });
+    addButton(*files, *this, "save", "Save", "Writes labels to where they were read from",
+              [this] { save(); });
+    addButton(*files, *this, "saveAs", "Save as…", "Writes labels to other files",
+              [this] { saveAs(); });
+    addButton(*files, *this, "test", "Save image as test…",
+              "Writes a script that fails if vision does not find in this image what is labeled",
+              [this] { saveTest(); });
+    tolerance_ = makeControl<QDoubleSpinBox>("tolerance", "How far a ball may be off in a test");
     tolerance_->setRange(0.5, 100);
     tolerance_->setValue(4);
     tolerance_->setSuffix(" pixels");
-    tolerance_->setToolTip("How far a ball may be off in a test");
     files->addWidget(tolerance_);
     state_ = new QLabel;
     state_->setObjectName("state");
@@ -204,22 +195,19 @@ class Labels : public Dialog {
     layout.setContentsMargins(0, 0, 0, 0);
     auto* row = new QHBoxLayout;
     layout.addLayout(row);
-    addPushButton(*row, *this, "compare", "Compare",
-                  "Replays the log, and compares what vision finds with all labels",
-                  [this] { compare(); });
-    addPushButton(*row, *this, "stop", "Stop", "Shows what was compared so far",
-                  [this] { comparing_.stop(); });
-    solution_ = new QComboBox;
-    solution_->setObjectName("solution");
-    solution_->setToolTip("Which ImageProcessor looks at the images");
+    addButton(*row, *this, "compare", "Compare",
+              "Replays the log, and compares what vision finds with all labels",
+              [this] { compare(); });
+    addButton(*row, *this, "stop", "Stop", "Shows what was compared so far",
+              [this] { comparing_.stop(); });
+    solution_ = makeControl<QComboBox>("solution", "Which ImageProcessor looks at the images");
     solution_->addItem("as recorded");
     const auto solutions = allSolutions();
     if (const auto known = solutions.find("ImageProcessor"); known != solutions.end())
       for (const std::string& name : known->second)
         solution_->addItem(QString::fromStdString(name));
     row->addWidget(solution_);
-    axis_ = new QComboBox;
-    axis_->setObjectName("axis");
+    axis_ = makeControl<QComboBox>("axis", "The horizontal axis of the errors below");
     axis_->addItems({"over time", "over distance"});
     QObject::connect(axis_, &QComboBox::currentIndexChanged, this,
                      [this](int axis) { plot_->setOverDistance(axis == 1); });
@@ -228,8 +216,8 @@ class Labels : public Dialog {
     progress_->setRange(0, 1000);
     progress_->setMaximumWidth(120);
     row->addWidget(progress_);
-    addPushButton(*row, *this, "export", "Export…", "Writes all errors as a table (CSV)",
-                  [this] { exportErrors(); });
+    addButton(*row, *this, "export", "Export…", "Writes all errors as a table (CSV)",
+              [this] { exportErrors(); });
     row->addStretch();
     summary_ = new QLabel{"Differences in degrees, as seen from the camera; crosses: not found"};
     summary_->setObjectName("summary");

@@ -12,8 +12,8 @@
 #include "logs/LogPlayer.h"
 #include "logs/LogTransfer.h"
 #include "workbench/Background.h"
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
-#include "workbench/PushButton.h"
 
 namespace gt {
 namespace {
@@ -46,21 +46,20 @@ class LogEditor : public Dialog {
     auto* layout = new QVBoxLayout{this};
     auto* row = new QHBoxLayout;
     layout->addLayout(row);
-    logs_ = new QListWidget;
-    logs_->setObjectName("logs");
+    logs_ = makeControl<QListWidget>(
+        "logs", "One log to take parts of, or several that are joined by time");
     logs_->setMaximumHeight(80);
-    logs_->setToolTip("One log to take parts of, or several that are joined by time");
     row->addWidget(logs_, 1);
     auto* buttons = new QVBoxLayout;
     row->addLayout(buttons);
-    addPushButton(*buttons, *this, "add", "Add…", "Adds a log", [this] {
+    addButton(*buttons, *this, "add", "Add…", "Adds a log", [this] {
       const QString file =
           QFileDialog::getOpenFileName(this, "Add a log", "out/logs", "Logs (*.mcap)");
       if (file.isEmpty()) return;
       logs_->addItem(file);
       look();
     });
-    addPushButton(*buttons, *this, "remove", "Remove", "Takes the chosen log away", [this] {
+    addButton(*buttons, *this, "remove", "Remove", "Takes the chosen log away", [this] {
       delete logs_->currentItem();
       look();
     });
@@ -70,18 +69,16 @@ class LogEditor : public Dialog {
     from_ = addTime(*times, "from", "From", "What was before is left out");
     to_ = addTime(*times, "to", "to", "What was from then on is left out");
     times->addStretch();
-    topics_ = new QTreeWidget;
-    topics_->setObjectName("topics");
+    topics_ = makeControl<QTreeWidget>("topics", "What is not marked is left out");
     topics_->setRootIsDecorated(false);
     topics_->setHeaderLabels({"Messages of", "Number"});
     topics_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     topics_->header()->setStretchLastSection(false);
-    topics_->setToolTip("What is not marked is left out");
     layout->addWidget(topics_, 1);
     auto* bottom = new QHBoxLayout;
     layout->addLayout(bottom);
-    addPushButton(*bottom, *this, "write", "Write as…", "Writes what is chosen as a new log",
-                  [this] { write(); });
+    addButton(*bottom, *this, "write", "Write as…", "Writes what is chosen as a new log",
+              [this] { write(); });
     state_ = new QLabel{"Add a log"};
     state_->setObjectName("state");
     state_->setWordWrap(true);
@@ -104,12 +101,10 @@ class LogEditor : public Dialog {
  private:
   QDoubleSpinBox* addTime(QHBoxLayout& row, const char* name, const char* label, const char* help) {
     row.addWidget(new QLabel{label});
-    auto* made = new QDoubleSpinBox;
-    made->setObjectName(name);
+    auto* made = makeControl<QDoubleSpinBox>(name, help);
     made->setDecimals(3);
     made->setRange(0, 1e6);
     made->setSuffix(" s");
-    made->setToolTip(help);
     row.addWidget(made);
     return made;
   }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
 #include "workbench/IconButton.h"
 
@@ -34,11 +35,9 @@ class LogPlayerToolbar : public Dialog {
           play("pause");
           play("message 0");
         })};
-    slider_ = new QSlider{Qt::Horizontal};
-    slider_->setObjectName("position");
+    slider_ = makeControl<QSlider>("position", "Where in the log it is", Qt::Horizontal);
     slider_->setRange(0, timeSteps);
     slider_->setMinimumWidth(160);
-    slider_->setToolTip("Where in the log it is");
     QObject::connect(slider_, &QSlider::sliderMoved, this, [this](int at) { wanted_ = at; });
     QObject::connect(slider_, &QSlider::actionTriggered, this,
                      [this](int) { wanted_ = slider_->sliderPosition(); });
@@ -47,31 +46,25 @@ class LogPlayerToolbar : public Dialog {
     place_->setObjectName("place");
     place_->setMinimumWidth(150);
     layout->addWidget(place_);
-    speed_ = new QComboBox;
-    speed_->setObjectName("speed");
-    speed_->setToolTip("How fast the log's time passes");
+    speed_ = makeControl<QComboBox>("speed", "How fast the log's time passes");
     for (const double factor : {0.1, 0.25, 0.5, 1.0, 2.0, 5.0})
       speed_->addItem(QString::number(factor) + "×", factor);
     QObject::connect(speed_, &QComboBox::activated, this, [this](int index) {
       play("speed " + speed_->itemData(index).toString().toStdString());
     });
     layout->addWidget(speed_);
-    loop_ = new QToolButton;
-    loop_->setObjectName("loop");
+    loop_ = makeControl<QToolButton>("loop", "Begins anew at the log's end");
     loop_->setText("Loop");
     loop_->setCheckable(true);
-    loop_->setToolTip("Begins anew at the log's end");
     QObject::connect(loop_, &QToolButton::clicked, this,
                      [this](bool on) { play(on ? "loop on" : "loop off"); });
     layout->addWidget(loop_);
     player_ << slider_ << speed_ << loop_;
     for (QWidget* part : player_) part->setEnabled(false);  // until a log is there
     layout->addSpacing(8);
-    record_ = new QToolButton;
-    record_->setObjectName("record");
+    record_ = makeControl<QToolButton>("record", "Records all that the connected robots send");
     record_->setText("Record");
     record_->setCheckable(true);
-    record_->setToolTip("Records all that the connected robots send");
     QObject::connect(record_, &QToolButton::clicked, this,
                      [this](bool on) { this->session().execute(on ? "log start" : "log stop"); });
     layout->addWidget(record_);

@@ -8,8 +8,8 @@
 
 #include "representations/RepresentationTypes.h"
 #include "streams/Json.h"
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
-#include "workbench/PushButton.h"
 
 namespace gt {
 namespace {
@@ -33,15 +33,12 @@ class MessageGenerator : public Dialog {
  public:
   explicit MessageGenerator(SessionThread& session) : Dialog{session} {
     auto* layout = new QVBoxLayout{this};
-    type_ = new QComboBox;
-    type_->setObjectName("type");
-    type_->setToolTip("The type of the message");
+    type_ = makeControl<QComboBox>("type", "The type of the message");
     for (const auto& [name, type] : messageTypes()) type_->addItem(name);
     QObject::connect(type_, &QComboBox::currentTextChanged, this, [this] { showText(); });
     layout->addWidget(type_);
-    text_ = new QPlainTextEdit;
-    text_->setObjectName("text");
-    text_->setToolTip("Its fields as JSON; those that are not mentioned have their defaults");
+    text_ = makeControl<QPlainTextEdit>(
+        "text", "Its fields as JSON; those that are not mentioned have their defaults");
     QObject::connect(text_, &QPlainTextEdit::textChanged, this,
                      [this] { texts_[type_->currentText()] = text_->toPlainText(); });
     layout->addWidget(text_, 1);
@@ -51,10 +48,10 @@ class MessageGenerator : public Dialog {
     layout->addWidget(fault_);
     auto* row = new QHBoxLayout;
     layout->addLayout(row);
-    addPushButton(*row, *this, "fromRobot", "From robot", "Takes the robot's value of now",
-                  [this] { takeFromRobot(); });
-    addPushButton(*row, *this, "send", "Send", "Sends the message to the connected robots",
-                  [this] { send(); });
+    addButton(*row, *this, "fromRobot", "From robot", "Takes the robot's value of now",
+              [this] { takeFromRobot(); });
+    addButton(*row, *this, "send", "Send", "Sends the message to the connected robots",
+              [this] { send(); });
     showText();
   }
 

@@ -9,6 +9,7 @@
 
 #include "base/File.h"
 #include "base/UserFolder.h"
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
 
 namespace gt {
@@ -40,18 +41,10 @@ class MofTester : public Dialog {
     auto* second = new QHBoxLayout;
     layout->addLayout(first);
     layout->addLayout(second);
-    const auto button = [&](QHBoxLayout* row, const char* name, const char* text, const char* help,
-                            auto pressed) {
-      auto* made = new QPushButton{text};
-      made->setObjectName(name);
-      made->setToolTip(help);
-      QObject::connect(made, &QPushButton::clicked, this, pressed);
-      row->addWidget(made);
-    };
+    const auto button = [&](QHBoxLayout* row, auto... what) { addButton(*row, *this, what...); };
     button(first, "execute", "Execute", "Executes all lines that hold joint data",
            [this] { execute(); });
-    loop_ = new QCheckBox{"Loop"};
-    loop_->setObjectName("loop");
+    loop_ = makeControl<QCheckBox>("loop", "Begins again after the last line", "Loop");
     first->addWidget(loop_);
     button(first, "stop", "Stop", "The joints stay where they are",
            [this] { this->session().execute("mof stop"); });

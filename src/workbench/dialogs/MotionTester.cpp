@@ -6,8 +6,8 @@
 #include <QVBoxLayout>
 
 #include "representations/behavior/MotionRequest.h"
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
-#include "workbench/PushButton.h"
 
 namespace gt {
 namespace {
@@ -28,15 +28,14 @@ class MotionTester : public Dialog {
     auto* layout = new QVBoxLayout{this};
     auto* grid = new QGridLayout;
     layout->addLayout(grid);
-    motion_ = new QComboBox;
-    motion_->setObjectName("motion");
-    motion_->setToolTip("Stand, get up, a type of walking, or a special action");
+    motion_ =
+        makeControl<QComboBox>("motion", "Stand, get up, a type of walking, or a special action");
     grid->addWidget(new QLabel{"Motion"}, 0, 0);
     grid->addWidget(motion_, 0, 1, 1, 2);
     int row = 1;
     for (const Axis& axis : axes) {
-      auto* slider = new QSlider{Qt::Horizontal};
-      slider->setObjectName(axis.name);
+      auto* slider = makeControl<QSlider>(
+          axis.name, QString{"The speed of the walk, in %1"}.arg(axis.unit), Qt::Horizontal);
       slider->setRange(-axis.most, axis.most);
       slider->setPageStep(axis.most / 8);
       auto* value = new QLabel;
@@ -54,8 +53,7 @@ class MotionTester : public Dialog {
       sliders_ << slider;
       ++row;
     }
-    tail_ = new QComboBox;
-    tail_->setObjectName("tail");
+    tail_ = makeControl<QComboBox>("tail", "What the tail shall do");
     tail_->addItem("unchanged");
     for (const std::string_view name : enumNames<TailRequest>)
       tail_->addItem(QString::fromStdString(std::string{name}));
@@ -63,7 +61,7 @@ class MotionTester : public Dialog {
     grid->addWidget(tail_, row, 1, 1, 2);
     auto* buttons = new QHBoxLayout;
     layout->addLayout(buttons);
-    const auto button = [&](auto... what) { addPushButton(*buttons, *this, what...); };
+    const auto button = [&](auto... what) { addButton(*buttons, *this, what...); };
     button("takeOver", "Take over", "Disables BehaviorControl, so that requests by hand last",
            [this] { this->session().execute("sr BehaviorControl disabled"); });
     button("stop", "Stop", "Has the robot stand", [this] {
@@ -74,8 +72,8 @@ class MotionTester : public Dialog {
       this->session().execute("mr stand");
     });
     button("send", "Send", "Sends the request to the connected robot", [this] { send(); });
-    follow_ = new QCheckBox{"Send while sliders are moved"};
-    follow_->setObjectName("follow");
+    follow_ = makeControl<QCheckBox>("follow", "Sends the request whenever a slider is moved",
+                                     "Send while sliders are moved");
     layout->addWidget(follow_);
     layout->addStretch();
     QObject::connect(motion_, &QComboBox::currentTextChanged, this, [this] { enable(); });

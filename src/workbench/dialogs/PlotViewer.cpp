@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <map>
 
+#include "workbench/Control.h"
 #include "workbench/CurvePlot.h"
 #include "workbench/Dialog.h"
 #include "workbench/PlotColors.h"
@@ -26,6 +27,7 @@ namespace gt {
 namespace {
 
 constexpr int shortest = 1, longestHistory = 120;  // s
+constexpr const char* inputHelp = "A value that is plotted, too; Enter adds it";
 
 /// Report J.3.5: values over time. Any number of any representation, of the game and of the bodies,
 /// and what modules plot.
@@ -36,8 +38,7 @@ class PlotViewer : public Dialog {
     layout->setContentsMargins(2, 2, 2, 2);
     layout->setSpacing(2);
     auto* top = new QHBoxLayout;
-    input_ = new QLineEdit;
-    input_->setObjectName("value");
+    input_ = makeControl<QLineEdit>("value", inputHelp);
     input_->setPlaceholderText("Add a value: ball.speed, RobotPose.pose.rotation, …");
     completer_.setModel(&words_);
     completer_.setFilterMode(Qt::MatchContains);
@@ -50,25 +51,20 @@ class PlotViewer : public Dialog {
     });
     QObject::connect(input_, &QLineEdit::textEdited, this, [this] { complete(); });
     top->addWidget(input_, 1);
-    follow_ = new QToolButton;
-    follow_->setObjectName("follow");
+    follow_ =
+        makeControl<QToolButton>("follow", "Shows the newest values; dragging the plot ends that");
     follow_->setText("Follow");
     follow_->setCheckable(true);
     follow_->setChecked(true);
-    follow_->setToolTip("Shows the newest values; dragging the plot ends that");
     top->addWidget(follow_);
-    seconds_ = new QSlider{Qt::Horizontal};
-    seconds_->setObjectName("seconds");
+    seconds_ = makeControl<QSlider>("seconds", "How many seconds are shown", Qt::Horizontal);
     seconds_->setRange(shortest, longestHistory);
     seconds_->setValue(20);
     seconds_->setFixedWidth(120);
-    seconds_->setToolTip("How many seconds are shown");
     top->addWidget(seconds_);
-    cursors_ = new QToolButton;
-    cursors_->setObjectName("cursors");
+    cursors_ = makeControl<QToolButton>("cursors", "Two lines to be dragged, and the values there");
     cursors_->setText("Cursors");
     cursors_->setCheckable(true);
-    cursors_->setToolTip("Two lines to be dragged, and the values there");
     QObject::connect(cursors_, &QToolButton::toggled, this, [this](bool on) {
       cursorValues_->setOn(on);
       if (on) follow_->setChecked(false);
@@ -190,7 +186,8 @@ class PlotViewer : public Dialog {
         this, [name](Console& console) { return plottableName(console, name); },
         [this](const Result<std::string>& full) {
           input_->setStyleSheet(full ? "" : "color: #d04030");
-          input_->setToolTip(full ? QString{} : QString::fromStdString(full.error().text()));
+          input_->setToolTip(full ? QString{inputHelp}
+                                  : QString::fromStdString(full.error().text()));
           if (!full) return;
           input_->clear();
           add(*full, 0, CurveFilterKind::none);

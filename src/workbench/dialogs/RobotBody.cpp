@@ -7,6 +7,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
 
 namespace gt {
@@ -35,14 +36,14 @@ class RobotBodyDialog : public Dialog {
     auto* layout = new QVBoxLayout{this};
     auto* grid = new QGridLayout;
     layout->addLayout(grid);
-    latch_ = new QCheckBox{"Switches stay pressed"};
-    latch_->setObjectName("latch");
+    latch_ = makeControl<QCheckBox>(
+        "latch", "A switch that is clicked stays pressed until it is clicked again",
+        "Switches stay pressed");
     for (const SwitchPlace& place : switches) {
-      auto* button = new QToolButton;
-      button->setObjectName(place.name);
+      auto* button = makeControl<QToolButton>(
+          place.name, "Pressed as long as it is held, or until it is pressed again");
       button->setText(place.text);
       button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-      button->setToolTip("Pressed as long as it is held, or until it is pressed again");
       const auto press = [this, name = std::string{place.name}](bool on) {
         this->session().execute("press " + name + (on ? " on" : " off"));
       };
@@ -62,21 +63,13 @@ class RobotBodyDialog : public Dialog {
     layout->addWidget(latch_);
     auto* fall = new QHBoxLayout;
     layout->addLayout(fall);
-    direction_ = new QComboBox;
-    direction_->setObjectName("direction");
+    direction_ = makeControl<QComboBox>("direction", "On which side the robot is thrown");
     direction_->addItems({"left", "right", "nose", "back", "sitting"});
-    const auto button = [&](const char* name, const char* text, const char* help, auto pressed) {
-      auto* made = new QPushButton{text};
-      made->setObjectName(name);
-      made->setToolTip(help);
-      QObject::connect(made, &QPushButton::clicked, this, pressed);
-      fall->addWidget(made);
-    };
-    button("throw", "Throw over", "Throws the robot on a side, or makes it sit",
-           [this] { forSelected("throw ", " " + direction_->currentText().toStdString()); });
+    addButton(*fall, *this, "throw", "Throw over", "Throws the robot on a side, or makes it sit",
+              [this] { forSelected("throw ", " " + direction_->currentText().toStdString()); });
     fall->addWidget(direction_);
-    button("stand", "Put on its feet", "Puts the robot back on its feet",
-           [this] { forSelected("stand ", ""); });
+    addButton(*fall, *this, "stand", "Put on its feet", "Puts the robot back on its feet",
+              [this] { forSelected("stand ", ""); });
     images_ = box("images", "Camera images", "ci ",
                   "Whether the simulator calculates images for the connected robots", true);
     oracle_ =
@@ -107,9 +100,7 @@ class RobotBodyDialog : public Dialog {
  private:
   QCheckBox* box(const char* name, const char* text, const std::string& command, const char* help,
                  bool on) {
-    auto* made = new QCheckBox{text};
-    made->setObjectName(name);
-    made->setToolTip(help);
+    auto* made = makeControl<QCheckBox>(name, help, text);
     made->setChecked(on);
     QObject::connect(made, &QCheckBox::toggled, this, [this, command](bool checked) {
       session().execute(command + (checked ? "on" : "off"));

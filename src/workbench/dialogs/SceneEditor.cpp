@@ -18,8 +18,8 @@
 #include "base/TemporaryFolder.h"
 #include "simulation/scene/Scene.h"
 #include "workbench/Background.h"
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
-#include "workbench/PushButton.h"
 
 namespace gt {
 namespace {
@@ -54,7 +54,7 @@ class SceneEditor : public Dialog {
     layout->setContentsMargins(4, 4, 4, 4);
     auto* row = new QHBoxLayout;
     layout->addLayout(row);
-    const auto button = [&](auto... what) { addPushButton(*row, *this, what...); };
+    const auto button = [&](auto... what) { addButton(*row, *this, what...); };
     button("open", "Open…", "Opens a scene", [this] { chooseFile(); });
     button("current", "Current", "Opens a copy of the scene that is simulated",
            [this] { open(QString::fromStdString(this->session().status().scene), true); });
@@ -77,9 +77,7 @@ class SceneEditor : public Dialog {
       showState();
     });
     parts->addWidget(text_);
-    errors_ = new QListWidget;
-    errors_->setObjectName("errors");
-    errors_->setToolTip("What is wrong; a click goes there");
+    errors_ = makeControl<QListWidget>("errors", "What is wrong; a click goes there");
     QObject::connect(errors_, &QListWidget::itemClicked, this, [this](const QListWidgetItem* item) {
       goTo(item->data(Qt::UserRole).toPoint());
     });

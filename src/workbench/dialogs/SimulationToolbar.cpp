@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
 #include "workbench/IconButton.h"
 
@@ -35,9 +36,7 @@ class SimulationToolbar : public Dialog {
     button("reset", QStyle::SP_MediaSkipBackward,
            "Begins anew with the same scene and seed (Ctrl+F5)",
            [this] { this->session().execute("reset"); });
-    speed_ = new QComboBox;
-    speed_->setObjectName("speed");
-    speed_->setToolTip("How fast simulated time passes at most");
+    speed_ = makeControl<QComboBox>("speed", "How fast simulated time passes at most");
     for (const Speed& speed : speeds) speed_->addItem(speed.text, speed.factor);
     QObject::connect(speed_, &QComboBox::activated, this, [this](int index) {
       const double factor = speed_->itemData(index).toDouble();
@@ -45,9 +44,7 @@ class SimulationToolbar : public Dialog {
                               (factor > 0 ? " " + QString::number(factor).toStdString() : ""));
     });
     layout->addWidget(speed_);
-    robot_ = new QComboBox;
-    robot_->setObjectName("robot");
-    robot_->setToolTip("The robot that dialogs are connected with");
+    robot_ = makeControl<QComboBox>("robot", "The robot that dialogs are connected with");
     robot_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     QObject::connect(robot_, &QComboBox::activated, this, [this](int index) {
       this->session().execute("robot " + robot_->itemData(index).toString().toStdString());

@@ -10,8 +10,8 @@
 
 #include "base/File.h"
 #include "base/TemporaryFolder.h"
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
-#include "workbench/PushButton.h"
 
 namespace gt {
 namespace {
@@ -23,34 +23,29 @@ class SituationTest : public Dialog {
     auto* layout = new QVBoxLayout{this};
     auto* form = new QFormLayout;
     layout->addLayout(form);
-    condition_ = new QLineEdit{"score.red > 0"};
-    condition_->setObjectName("condition");
-    condition_->setToolTip(
-        "What is to happen, such as: score.red > 0 or distance(red4, ball) < 200");
+    condition_ = makeControl<QLineEdit>(
+        "condition", "What is to happen, such as: score.red > 0 or distance(red4, ball) < 200",
+        "score.red > 0");
     form->addRow("Until", condition_);
-    seconds_ = new QDoubleSpinBox;
-    seconds_->setObjectName("seconds");
+    seconds_ = makeControl<QDoubleSpinBox>("seconds", "A run that takes longer has failed");
     seconds_->setRange(0.1, 1200);
     seconds_->setValue(20);
     seconds_->setSuffix(" s");
-    seconds_->setToolTip("A run that takes longer has failed");
     form->addRow("Within", seconds_);
-    runs_ = new QSpinBox;
-    runs_->setObjectName("runs");
+    runs_ = makeControl<QSpinBox>("runs", "Each run has the next seed");
     runs_->setRange(1, 1000);
     runs_->setValue(10);
-    runs_->setToolTip("Each run has the next seed");
     form->addRow("Runs", runs_);
     auto* buttons = new QHBoxLayout;
     layout->addLayout(buttons);
-    addPushButton(*buttons, *this, "try", "Try",
-                  "Begins so many times with all that was done so far, and lists how it ended; "
-                  "this simulation is left alone (Shift+F5 stops)",
-                  [this] { tryIt(); });
-    addPushButton(*buttons, *this, "save", "Save as test…",
-                  "Writes what is on the field now as a script, which fails if the condition does "
-                  "not hold in time: simgt console SCENE --script TEST",
-                  [this] { save(); });
+    addButton(*buttons, *this, "try", "Try",
+              "Begins so many times with all that was done so far, and lists how it ended; "
+              "this simulation is left alone (Shift+F5 stops)",
+              [this] { tryIt(); });
+    addButton(*buttons, *this, "save", "Save as test…",
+              "Writes what is on the field now as a script, which fails if the condition does "
+              "not hold in time: simgt console SCENE --script TEST",
+              [this] { save(); });
     buttons->addStretch();
     state_ = new QLabel{"Robots, balls, score and state of the game as they are now"};
     state_->setObjectName("state");

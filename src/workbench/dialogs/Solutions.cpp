@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "observer/MessageQueues.h"
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
 
 namespace gt {
@@ -72,14 +73,10 @@ class Solutions : public Dialog {
     auto* layout = new QVBoxLayout{this};
     layout->setContentsMargins(4, 4, 4, 4);
     auto* top = new QHBoxLayout;
-    setting_ = new QComboBox;
-    setting_->setObjectName("setting");
-    setting_->setToolTip("Choosing a setting sends all its solutions");
+    setting_ = makeControl<QComboBox>("setting", "Choosing a setting sends all its solutions");
     top->addWidget(setting_, 1);
     const auto button = [&](const char* name, const char* text, const char* help, auto pressed) {
-      auto* made = new QPushButton{text};
-      made->setObjectName(name);
-      made->setToolTip(help);
+      auto* made = makeControl<QPushButton>(name, help, text);
       QObject::connect(made, &QPushButton::clicked, this, pressed);
       top->addWidget(made);
     };
@@ -91,15 +88,14 @@ class Solutions : public Dialog {
     });
     layout->addLayout(top);
     auto* second = new QHBoxLayout;
-    filter_ = new QLineEdit;
-    filter_->setObjectName("filter");
+    filter_ = makeControl<QLineEdit>("filter", "Lists only tasks whose names hold these letters");
     filter_->setPlaceholderText("Some letters of a task");
     filter_->setClearButtonEnabled(true);
     QObject::connect(filter_, &QLineEdit::textChanged, this, [this] { filter(); });
     second->addWidget(filter_);
-    all_ = new QCheckBox{"All robots"};
-    all_->setObjectName("all");
-    all_->setToolTip("Switches the solution of all robots of the kind, not of the connected one");
+    all_ = makeControl<QCheckBox>(
+        "all", "Switches the solution of all robots of the kind, not of the connected one",
+        "All robots");
     second->addWidget(all_);
     layout->addLayout(second);
     tree_ = new QTreeWidget;

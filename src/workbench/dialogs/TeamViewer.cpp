@@ -9,6 +9,7 @@
 #include "representations/modeling/RobotPose.h"
 #include "views/ViewText.h"
 #include "views/Views.h"
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
 #include "workbench/SheetWidget.h"
 
@@ -114,14 +115,13 @@ class TeamViewer : public Dialog {
     layout->addWidget(parts);
     sheet_ = new SheetWidget;
     parts->addWidget(sheet_);
-    table_ = new QTreeWidget;
-    table_->setObjectName("members");
+    table_ = makeControl<QTreeWidget>(
+        "members",
+        "What each robot told its team last, and how long ago it heard from each teammate");
     table_->setRootIsDecorated(false);
     table_->setHeaderLabels({"Robot", "Role", "To the ball", "Validity", "Ball seen", "Ball ±",
                              "Hears 1", "Hears 2", "Hears 3", "Hears 4"});
     table_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    table_->setToolTip(
-        "What each robot told its team last, and how long ago it heard from each teammate");
     constexpr int lines = 7;  // the heading, four robots, and what scrolls sideways
     table_->setMinimumHeight(lines * table_->fontMetrics().height());
     parts->addWidget(table_);

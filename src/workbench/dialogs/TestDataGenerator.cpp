@@ -6,8 +6,8 @@
 #include <QVBoxLayout>
 #include <map>
 
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
-#include "workbench/PushButton.h"
 
 namespace gt {
 namespace {
@@ -64,9 +64,7 @@ class TestDataGenerator : public Dialog {
   explicit TestDataGenerator(SessionThread& session) : Dialog{session} {
     auto* layout = new QVBoxLayout{this};
     layout->setContentsMargins(4, 4, 4, 4);
-    id_ = new QComboBox;
-    id_->setObjectName("id");
-    id_->setToolTip("Task and solution; * marks those that run");
+    id_ = makeControl<QComboBox>("id", "Task and solution; * marks those that run");
     QObject::connect(id_, &QComboBox::currentIndexChanged, this, [this] { showValues(); });
     layout->addWidget(id_);
     table_ = new QTableWidget{0, 3};
@@ -83,13 +81,12 @@ class TestDataGenerator : public Dialog {
     layout->addWidget(fault_);
     auto* row = new QHBoxLayout;
     layout->addLayout(row);
-    addPushButton(*row, *this, "fromRobot", "From robot", "Takes the robot's values of now",
-                  [this] {
-                    typed_.remove(id());
-                    read();
-                  });
-    addPushButton(*row, *this, "send", "Send", "Sends the numbers to the connected robots",
-                  [this] { send(); });
+    addButton(*row, *this, "fromRobot", "From robot", "Takes the robot's values of now", [this] {
+      typed_.remove(id());
+      read();
+    });
+    addButton(*row, *this, "send", "Send", "Sends the numbers to the connected robots",
+              [this] { send(); });
   }
 
   QJsonObject settings() const override { return {{"id", id()}, {"values", typed_}}; }

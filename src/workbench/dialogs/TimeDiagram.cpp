@@ -17,6 +17,7 @@
 
 #include "base/File.h"
 #include "debug/Stopwatch.h"
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
 
 namespace gt {
@@ -78,18 +79,16 @@ class TimeDiagram : public Dialog {
     layout->setContentsMargins(4, 4, 4, 4);
     auto* top = new QHBoxLayout;
     layout->addLayout(top);
-    filter_ = new QLineEdit;
-    filter_->setObjectName("filter");
+    filter_ = makeControl<QLineEdit>("filter", "Lists only modules whose names hold these letters");
     filter_->setPlaceholderText("Some letters of a module");
     filter_->setClearButtonEnabled(true);
     QObject::connect(filter_, &QLineEdit::textChanged, this, [this] { showModules(); });
     top->addWidget(filter_, 1);
     top->addWidget(new QLabel{"Mean of"});
-    count_ = new QSpinBox;
-    count_->setObjectName("count");
+    count_ = makeControl<QSpinBox>("count",
+                                   "Over how many measurements, at least, the mean is calculated");
     count_->setRange(2, 500);
     count_->setValue(100);
-    count_->setToolTip("Over how many measurements, at least, the mean is calculated");
     top->addWidget(count_);
     tree_ = new QTreeWidget;
     tree_->setObjectName("modules");

@@ -12,8 +12,8 @@
 #include <optional>
 
 #include "views/ViewText.h"
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
-#include "workbench/PushButton.h"
 
 namespace gt {
 namespace {
@@ -80,15 +80,13 @@ class Timeline : public Dialog {
     place_ = new QLabel;
     place_->setObjectName("place");
     row->addWidget(place_);
-    addPushButton(*row, *this, "bookmark", "Bookmark…", "Marks the time of now",
-                  [this] { mark(QInputDialog::getText(this, "Bookmark", "What happens here:")); });
-    addPushButton(*row, *this, "remove", "Remove", "Removes the bookmark that is marked",
-                  [this] { removeMark(); });
-    list_ = new QTreeWidget;
-    list_->setObjectName("marks");
+    addButton(*row, *this, "bookmark", "Bookmark…", "Marks the time of now",
+              [this] { mark(QInputDialog::getText(this, "Bookmark", "What happens here:")); });
+    addButton(*row, *this, "remove", "Remove", "Removes the bookmark that is marked",
+              [this] { removeMark(); });
+    list_ = makeControl<QTreeWidget>("marks", "A double click goes to two seconds before it");
     list_->setHeaderLabels({"Time", "What"});
     list_->setRootIsDecorated(false);
-    list_->setToolTip("A double click goes to two seconds before it");
     list_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     QObject::connect(list_, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item) {
       goTo(Time{std::max<std::int64_t>(0, timeOf(*item).ms - leadMs)});

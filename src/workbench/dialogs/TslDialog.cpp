@@ -16,10 +16,10 @@
 #include "colors/TslColors.h"
 #include "colors/TslHistogram.h"
 #include "views/painting/ColorClassViews.h"
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
 #include "workbench/ImageSource.h"
 #include "workbench/PlotColors.h"
-#include "workbench/PushButton.h"
 #include "workbench/SendToRobots.h"
 #include "workbench/SheetWidget.h"
 
@@ -39,10 +39,8 @@ class TslDialog : public Dialog {
     layout->setContentsMargins(4, 4, 4, 4);
     auto* images = new QVBoxLayout;
     layout->addLayout(images, 1);
-    raw_ = new SheetWidget;
-    raw_->setObjectName("raw");
+    raw_ = makeControl<SheetWidget>("raw", "Two clicks span a rectangle of the chosen color");
     raw_->setCursor(Qt::CrossCursor);
-    raw_->setToolTip("Two clicks span a rectangle of the chosen color");
     raw_->clicked = [this](const QPointF& at, Qt::MouseButton) { click(at); };
     classified_ = new SheetWidget;
     classified_->setObjectName("classified");
@@ -50,9 +48,7 @@ class TslDialog : public Dialog {
     images->addWidget(classified_);
     auto* right = new QVBoxLayout;
     layout->addLayout(right, 1);
-    color_ = new QComboBox;
-    color_->setObjectName("color");
-    color_->setToolTip("Select color: the class that is edited");
+    color_ = makeControl<QComboBox>("color", "Select color: the class that is edited");
     for (std::size_t i = 1; i < enumCount<ColorClass>; ++i)
       color_->addItem(QString::fromStdString(std::string{enumNames<ColorClass>[i]}));
     QObject::connect(color_, &QComboBox::currentIndexChanged, this, [this] { showSliders(); });
@@ -96,19 +92,18 @@ class TslDialog : public Dialog {
     auto* grid = new QGridLayout;
     layout.addLayout(grid);
     for (std::size_t i = 0; i < sliders_.size(); ++i) {
-      auto* slider = sliders_[i] = new QSlider{Qt::Horizontal};
-      slider->setObjectName(QString{"t%1"}.arg(i + 1));
+      auto* slider = sliders_[i] = makeControl<QSlider>(
+          QString{"t%1"}.arg(i + 1),
+          QString{"%1 of %2"}.arg(i % 2 ? "Maximum" : "Minimum", channels[i / 2]), Qt::Horizontal);
       slider->setRange(0, 255);
-      slider->setToolTip(QString{"%1 of %2"}.arg(i % 2 ? "Maximum" : "Minimum", channels[i / 2]));
       QObject::connect(slider, &QSlider::valueChanged, this, [this] { takeSliders(); });
       const int row = static_cast<int>(i / 2), column = static_cast<int>(i % 2);
       if (column == 0) grid->addWidget(new QLabel{channels[i / 2]}, row, 0);
       grid->addWidget(slider, row, 1 + column);
     }
-    auto* noise = new QSlider{Qt::Horizontal};
-    noise->setObjectName("noise");
+    auto* noise = makeControl<QSlider>(
+        "noise", "Noise on the raw image: how robust the classes are", Qt::Horizontal);
     noise->setRange(0, mostNoise);
-    noise->setToolTip("Noise on the raw image: how robust the classes are");
     QObject::connect(noise, &QSlider::valueChanged, this, [this](int value) {
       noise_ = value;
       showImages();
@@ -119,10 +114,9 @@ class TslDialog : public Dialog {
   void addOrder(QBoxLayout& layout) {
     auto* row = new QHBoxLayout;
     layout.addLayout(row);
-    order_ = new QListWidget;
-    order_->setObjectName("order");
+    order_ =
+        makeControl<QListWidget>("order", "TSL order: where classes overlap, the upper one counts");
     order_->setMaximumHeight(110);
-    order_->setToolTip("TSL order: where classes overlap, the upper one counts");
     row->addWidget(order_, 1);
     auto* buttons = new QVBoxLayout;
     row->addLayout(buttons);
@@ -135,26 +129,25 @@ class TslDialog : public Dialog {
         }
       };
     };
-    addPushButton(*buttons, *this, "up", "Up", "Moves the class up",
-                  move([](TslColors& colors, ColorClass chosen) { colors.moveUp(chosen); }));
-    addPushButton(*buttons, *this, "down", "Down", "Moves the class down",
-                  move([](TslColors& colors, ColorClass chosen) { colors.moveDown(chosen); }));
-    addPushButton(*buttons, *this, "auto", "Auto", "Thresholds from what was selected",
-                  [this] { takeHistogram(); });
+    addButton(*buttons, *this, "up", "Up", "Moves the class up",
+              move([](TslColors& colors, ColorClass chosen) { colors.moveUp(chosen); }));
+    addButton(*buttons, *this, "down", "Down", "Moves the class down",
+              move([](TslColors& colors, ColorClass chosen) { colors.moveDown(chosen); }));
+    addButton(*buttons, *this, "auto", "Auto", "Thresholds from what was selected",
+              [this] { takeHistogram(); });
   }
   void addFileButtons(QBoxLayout& layout) {
     auto* row = new QHBoxLayout;
     layout.addLayout(row);
-    addPushButton(*row, *this, "load", "Load…", "Reads classes (.tsl)", [this] { load(); });
-    addPushButton(*row, *this, "save", "Save…", "Writes the classes (.tsl)",
-                  [this] { save(false); });
-    addPushButton(*row, *this, "saveYuv", "Save YUV…", "Writes the classes as table (.c64)",
-                  [this] { save(true); });
-    addPushButton(*row, *this, "send", "Send",
-                  "Sends the classes to the connected robots, as table and as thresholds", [this] {
-                    sendToRobots(this->session(), colors_, "The TSL colors");
-                    sendToRobots(this->session(), colors_.table(), "The color table");
-                  });
+    addButton(*row, *this, "load", "Load…", "Reads classes (.tsl)", [this] { load(); });
+    addButton(*row, *this, "save", "Save…", "Writes the classes (.tsl)", [this] { save(false); });
+    addButton(*row, *this, "saveYuv", "Save YUV…", "Writes the classes as table (.c64)",
+              [this] { save(true); });
+    addButton(*row, *this, "send", "Send",
+              "Sends the classes to the connected robots, as table and as thresholds", [this] {
+                sendToRobots(this->session(), colors_, "The TSL colors");
+                sendToRobots(this->session(), colors_.table(), "The color table");
+              });
   }
 
   ColorClass chosen() const { return static_cast<ColorClass>(color_->currentIndex() + 1); }

@@ -13,6 +13,7 @@
 #include <set>
 
 #include "streams/Config.h"
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
 
 namespace gt {
@@ -113,8 +114,7 @@ class ValueTree : public Dialog {
   explicit ValueTree(SessionThread& session) : Dialog{session} {
     auto* layout = new QVBoxLayout{this};
     layout->setContentsMargins(4, 4, 4, 4);
-    filter_ = new QLineEdit;
-    filter_->setObjectName("filter");
+    filter_ = makeControl<QLineEdit>("filter", "Lists only values whose names hold these letters");
     filter_->setPlaceholderText("Some letters of a name");
     filter_->setClearButtonEnabled(true);
     layout->addWidget(filter_);

@@ -5,6 +5,7 @@
 #include <QMenu>
 #include <QToolButton>
 
+#include "workbench/Control.h"
 #include "workbench/Dialog.h"
 
 namespace gt {
@@ -54,10 +55,8 @@ class ViewsToolbar : public Dialog {
     for (const QString& id : dialogs_) {
       const DialogType* type = Dialog::typeOf(id);
       if (!type) continue;
-      auto* made = new QToolButton;
-      made->setObjectName("open." + id);
+      auto* made = makeControl<QToolButton>("open." + id, type->help);
       made->setText(type->title);
-      made->setToolTip(type->help);
       made->setAutoRaise(true);
       // The entry of the menu View, which the window has.
       QObject::connect(made, &QToolButton::clicked, this, [this, id] {
