@@ -68,10 +68,9 @@ void Invariants::update() {
   checkPrograms();
 }
 
-void Invariants::note(std::string_view invariant, const std::string& who, double amount,
-                      std::string text) {
-  const auto index = static_cast<std::size_t>(
-      std::ranges::find(invariants, invariant, &Invariant::name) - invariants.begin());
+void Invariants::note(Name name, const std::string& who, double amount, std::string text) {
+  const std::size_t index = name.index;
+  const Invariant& invariant = invariants[index];
   const Time now = simulation_.time();
   const auto open = std::find_if(breaks_.rbegin(), breaks_.rend(), [&](const Break& b) {
     return b.invariant == index && b.what.who == who && now - b.what.until <= pause &&
@@ -80,7 +79,7 @@ void Invariants::note(std::string_view invariant, const std::string& who, double
   if (open == breaks_.rend()) {
     breaks_.push_back(
         {index,
-         {now, now, invariants[index].severity, std::string{invariant}, who, std::move(text)},
+         {now, now, invariant.severity, std::string{invariant.name}, who, std::move(text)},
          amount});
     return;
   }
@@ -102,7 +101,8 @@ void Invariants::checkApart() {
   const auto names = simulation_.scene().allRobots();
   const auto check = [&](std::size_t a, std::size_t b, double depth) {
     if (depth > deepestTouch)
-      note("apart", names[a]->name, depth, millimeters(depth) + " inside " + names[b]->name);
+      note("apart", names[a]->name + ", " + names[b]->name, depth,
+           millimeters(depth) + " inside each other");
   };
   if (simulation_.scene().fidelity == Fidelity::dynamic) {
     const std::span contacts{world.data().contact, static_cast<std::size_t>(world.data().ncon)};
@@ -142,6 +142,15 @@ void Invariants::checkFinite() {
   const std::int64_t divergences = simulation_.world().divergences();
   if (divergences != std::exchange(divergences_, divergences))
     note("finite", "world", 0, "the physics diverged, and was put back");
+  const World& world = simulation_.world();
+  const auto names = simulation_.scene().allRobots();
+  const auto place = [&](const std::string& who, const Vector2d& position, double other) {
+    if (!position.allFinite() || !std::isfinite(other)) note("finite", who, 0, "is nowhere");
+  };
+  for (std::size_t i = 0; i < world.robotCount(); ++i)
+    place(names[i]->name, world.robot(i).pose.translation, world.robot(i).pose.rotation);
+  for (std::size_t i = 0; i < world.ballCount(); ++i)
+    place("ball" + std::to_string(i), world.ball(i).position, world.ball(i).speed.sum());
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const auto check = [&]<typename T>(const T& value) {
       if (const auto done = finite(valueOf(value)); !done)
@@ -200,8 +209,8 @@ void Invariants::checkPrograms() {
     if (!robot) continue;
     for (const auto& process : robot->robot().processes())
       if (const auto since = simulation_.time() - process->now(); since > longestIdle)
-        note("running", robot->name(), static_cast<double>(since),
-             "process " + process->name() + " has not run for " + std::to_string(since) + " ms");
+        note("running", robot->name() + "." + process->name(), static_cast<double>(since),
+             "has not run for " + std::to_string(since) + " ms");
     const auto look = [&]<typename T>(std::type_identity<T>) {
       if (!robot->robot().provided<T>() || robot->robot().isDisabled(representation<T>()))
         note("solved", robot->name(), 0, "nobody provides " + std::string{typeName<T>()});

@@ -53,9 +53,19 @@ class Invariants {
     double worst = 0;
   };
 
+  /// The index of an invariant, from its name; another name does not compile.
+  struct Name {
+    // NOLINTNEXTLINE(google-explicit-constructor): a text is meant to become a name.
+    consteval Name(std::string_view name) {
+      while (invariants[index].name != name) ++index;
+    }
+
+    std::size_t index = 0;
+  };
+
   /// Notes that an invariant does not hold now. `amount` measures by how much, 0 if that cannot be
   /// measured; `text` describes it.
-  void note(std::string_view invariant, const std::string& who, double amount, std::string text);
+  void note(Name invariant, const std::string& who, double amount, std::string text);
   void checkApart();
   /// The robot that a geom of the world's model belongs to; empty if there is none.
   std::optional<std::size_t> robotOf(int geom) const;
@@ -67,7 +77,7 @@ class Invariants {
 
   const Simulation& simulation_;
   const std::vector<MatchRobot*>& robots_;
-  Vector2d walls_ = Vector2d::Zero();  ///< Of the outer walls, from the middle (mm).
+  Vector2d walls_;  ///< Distances of the outer walls from the middle (mm).
   std::int64_t divergences_ = 0;
   std::vector<Break> breaks_;
 };

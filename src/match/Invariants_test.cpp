@@ -84,7 +84,7 @@ TEST_F(InvariantsTest, ARobotInsideAnotherOneIsFound) {
   const_cast<RobotBody&>(simulation->world().robot(1)).pose.translation =
       simulation->world().robot(0).pose.translation + Vector2d{0, 100};
   invariants->update();
-  EXPECT_THAT(broken(), ElementsAre("apart: red1: 56 mm inside red2"));
+  EXPECT_THAT(broken(), ElementsAre("apart: red1, red2: 56 mm inside each other"));
 }
 
 TEST_F(InvariantsTest, ABallOutsideIsFound) {
@@ -99,6 +99,16 @@ TEST_F(InvariantsTest, APenalizedRobotBesideTheFieldIsWithinTheWalls) {
   simulation->referee().penalize(simulation->world(), 0, Penalty::obstruction);
   run(0.1);
   EXPECT_THAT(broken(), IsEmpty());
+}
+
+TEST_F(InvariantsTest, APlaceThatIsNoNumberIsFound) {
+  run(0.1);
+  auto& robot = const_cast<RobotBody&>(simulation->world().robot(1));
+  robot.pose.rotation = std::numeric_limits<double>::quiet_NaN();
+  auto& ball = const_cast<BallState&>(simulation->world().ball(0));
+  ball.position.x() = std::numeric_limits<double>::infinity();
+  invariants->update();
+  EXPECT_THAT(broken(), testing::IsSupersetOf({"finite: red2: is nowhere", "finite: ball0: is nowhere"}));
 }
 
 TEST_F(InvariantsTest, WhatIsNoNumberIsFound) {
@@ -189,7 +199,7 @@ TEST_F(InvariantsOfMatch, AProcessThatStandsAndATaskThatIsDisabledAreFound) {
   std::vector<std::string> names;
   for (const BrokenInvariant& b : (*match)->summary().broken)
     names.push_back(b.invariant + ": " + b.who + ": " + b.text.substr(0, b.text.find(" for")));
-  EXPECT_THAT(names, testing::UnorderedElementsAre("running: red3: process Cognition has not run",
+  EXPECT_THAT(names, testing::UnorderedElementsAre("running: red3.Cognition: has not run",
                                                    "solved: red3: nobody provides RobotPose",
                                                    "solved: red3: nobody provides BallModel"));
 }

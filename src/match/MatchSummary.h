@@ -61,7 +61,7 @@ struct BrokenInvariant {
                   field<&BrokenInvariant::until>(Unit::ms),
                   field<&BrokenInvariant::severity>(),
                   field<&BrokenInvariant::invariant>(),
-                  field<&BrokenInvariant::who>("robot, ball, or the world"),
+                  field<&BrokenInvariant::who>("robots, process, ball, or the world"),
                   field<&BrokenInvariant::text>("description of the violation at its worst")};
   }
 };

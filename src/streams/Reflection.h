@@ -22,7 +22,6 @@ struct Range {
 /// The description of a field. It must be understandable by itself, because tools show it without
 /// the other fields. A sentence that is empty or refers to another field does not compile.
 struct Sentence {
-  consteval Sentence() = default;
   // NOLINTNEXTLINE(google-explicit-constructor): a text is meant to become a sentence.
   consteval Sentence(const char* words) : text{words, __builtin_strlen(words)} {
     if (text.empty() || text.front() == ' ' || text.back() == ' ') throw "a sentence without words";
