@@ -40,7 +40,7 @@ std::vector<int> sortedByName(const std::vector<Element>& elements) {
 /// Formats a number: whole numbers without a point, others with as many digits as needed.
 std::string decimalText(double number);
 
-/// The value of a negated number. Nothing if the operand is no number: the sign is then a
+/// The value of a negated literal number. Nothing for other operands, for which the sign is a
 /// subtraction from 0.
 std::optional<double> signedNumber(const Model& model, const Expression& negation);
 
