@@ -7,8 +7,8 @@ namespace gt {
 
 /// Solution *MotorModel* of CollisionDetector: a logistic regression for each walk type, by the
 /// differences of the legs from the predictions of models of their motors, by the shaking of the
-/// robot, and by its walk. It is better than report 3.6, whose comparison of command and sensor can
-/// distinguish the motors' lag from that of a leg that is held up only in slow, steady walks.
+/// robot, and by its walk. It is better than report 3.6, whose comparison of command and sensor
+/// distinguishes the lag of the motors from that of a held-up leg in slow, steady walks only.
 class MotorModelCollisionDetector {
  public:
   /// Parameters of the regression for a walk type.
@@ -24,12 +24,10 @@ class MotorModelCollisionDetector {
       return Fields{
           field<&Walk::motors>(
               Unit::oneRad,
-              "models of the motors of the legs' joints from legFR1 on: weights of the last "
-              "commands, newest first, and a constant"),
-          field<&Walk::weights>("weights of the features of CollisionFeatures.h"),
-          field<&Walk::constant>(
-              "constant that is added to the weighted features; a collision is assumed if the sum "
-              "is above 0")};
+              "of the legs' joints from legFR1 on: shares of the last commands, newest first, "
+              "and a constant"),
+          field<&Walk::weights>("of the features of CollisionFeatures.h"),
+          field<&Walk::constant>("added to them: a collision is above 0")};
     }
   };
 
@@ -43,12 +41,10 @@ class MotorModelCollisionDetector {
 
     static constexpr auto fields() {
       using P = Parameters;
-      return Fields{
-          field<&P::normal>(), field<&P::fast>(), field<&P::dribble>(),
-          field<&P::inARow>(
-              Unit::frames,
-              "number of consecutive frames above the threshold that are reported as a collision",
-              {1, 100})};
+      return Fields{field<&P::normal>(), field<&P::fast>(), field<&P::dribble>(),
+                    field<&P::inARow>(Unit::frames,
+                                      "number of frames above the threshold that make a collision",
+                                      {1, 100})};
     }
   };
   Parameters parameters;

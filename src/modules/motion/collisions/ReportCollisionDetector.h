@@ -52,19 +52,13 @@ class ReportCollisionDetector {
           field<&P::mostShift>(Unit::frames, "greatest phase shift of the sensors", frames),
           field<&P::suddenSpeed>(
               Unit::mmPerS,
-              "change of the commanded speed within a frame that alone makes the legs lag",
-              {0, 10000}),
-          field<&P::suddenTurn>(
-              Unit::radPerS,
-              "change of the commanded turning speed within a frame that alone makes the legs lag",
-              {0, 100}),
-          field<&P::settleTime>(
-              Unit::ms, "time without detection after a sudden change of the commanded speed",
-              {0, 10000}),
-          field<&P::inARow>(
-              Unit::frames,
-              "number of consecutive frames above the threshold that are reported as a collision",
-              {1, 100})};
+              "change of the command within a frame that makes the legs lag by itself", {0, 10000}),
+          field<&P::suddenTurn>(Unit::radPerS, "change of the turning speed that does the same",
+                                {0, 100}),
+          field<&P::settleTime>(Unit::ms, "time without detection after such a change", {0, 10000}),
+          field<&P::inARow>(Unit::frames,
+                            "number of frames above the threshold that make a collision",
+                            {1, 100})};
     }
   };
   Parameters parameters;

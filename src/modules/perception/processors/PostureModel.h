@@ -27,12 +27,10 @@ class PostureModel {
 
     static constexpr auto fields() {
       return Fields{
-          field<&Parameters::tilt>(
-              Unit::rad,
-              "weights of the tilt for each feature: a constant, then heights of feet in cm and "
-              "acceleration in g, the latest first"),
-          field<&Parameters::roll>(Unit::rad, "weights of the roll for each feature"),
-          field<&Parameters::height>(Unit::mm, "weights of the body's height for each feature")};
+          field<&Parameters::tilt>(Unit::rad,
+                                   "for each feature: a constant, then heights of feet in cm and "
+                                   "acceleration in g, the latest first"),
+          field<&Parameters::roll>(Unit::rad), field<&Parameters::height>(Unit::mm)};
     }
   };
   Parameters parameters;
