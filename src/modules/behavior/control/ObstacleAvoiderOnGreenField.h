@@ -27,7 +27,7 @@ class ObstacleAvoiderOnGreenField {
       using P = Parameters;
       return Fields{
           field<&P::forward>(Unit::mmPerS, "walking speed if everything ahead is green", {0, 400}),
-          field<&P::turn>(Unit::degPerS, "turning speed if nothing ahead is green", {0, 200}),
+          field<&P::turn>(Unit::degPerS, "turning speed if the path is blocked", {0, 200}),
           field<&P::steer>("gain of the turn to the greener side", {0, 10}),
           field<&P::blocked>(
               "height of the green ahead below which the path is blocked, as a share of the image",

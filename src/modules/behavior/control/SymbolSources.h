@@ -150,7 +150,6 @@ class SoccerInputs final : public soccer::Inputs {
   Vector2d opponentGoal() const { return relative(w().self.pose, {w().field.xGroundline, 0}); }
   Vector2d ownGoal() const { return relative(w().self.pose, {-w().field.xGroundline, 0}); }
   /// The vector from the known ball to the own goal, in the field's axes (mm).
-
   Vector2d ballToOwnGoal() const {
     return Vector2d{-w().field.xGroundline, 0} - tactics_.knownBallOnField();
   }

@@ -125,8 +125,9 @@ void Movement::approach(const Vector2d& wanted, double turn, double maxSpeed) {
 }
 
 Vector2d Movement::keptFromPlayers(Vector2d speed) const {
-  // Walking into a robot does not move it and is a foul: the component of the speed that points at
-  // a near robot is removed. A robot that gives way steps back by the missing distance in a second.
+  // Walking into a robot moves neither of both and is a foul: the component of the speed that
+  // points at a near robot is removed. A robot that gives way steps back by the missing distance in
+  // a second.
   const double keptOff = manner_.giveWay ? parameters_.giveWay : parameters_.keepOff;
   const double leastRoom = std::min(0., parameters_.keepOff - keptOff);
   const WorldState& world = tactics_.world();

@@ -333,7 +333,7 @@ bool KickChoice::isUsed(const KickDescription& kick) const {
 }
 
 /// The time (s) until the robot stands at the best position for a kick. `kickAngle` is the
-/// direction of the ball relative to the robot at that position.
+/// direction of the ball relative to the robot at that position, minus its present direction (rad).
 double KickChoice::timeTo(const KickDescription& kick, double kickAngle,
                           const Facing& facing) const {
   const Vector2d& turned = facing.turned;

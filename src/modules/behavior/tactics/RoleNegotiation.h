@@ -30,8 +30,9 @@ class RoleNegotiation {
               "time without a message of a teammate, while others are heard, after which it is "
               "absent",
               {0, 60000}),
-          field<&P::silence>(Unit::ms, "time without any message after which teammates are absent",
-                             {0, 600000}),
+          field<&P::silence>(
+              Unit::ms, "time without a message of a teammate after which it is absent in any case",
+              {0, 600000}),
           field<&P::fresh>(
               Unit::ms,
               "time without any message after which the striker does not hand its role over",

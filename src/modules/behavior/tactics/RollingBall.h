@@ -9,7 +9,6 @@ namespace gt {
 /// y axis).
 struct Crossing {
   double left = 0;  ///< mm, positive: left of the robot
-
   double time = 0;  ///< ms, from now
 };
 

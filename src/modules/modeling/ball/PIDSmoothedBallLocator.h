@@ -32,10 +32,13 @@ class PIDSmoothedBallLocator {
           field<&P::proportional>(
               "share of the difference to a percept by which the position moves", {0, 1}),
           field<&P::integral>(
-              "share of the difference to a percept that is added to the speed with each image",
+              "share of the difference to a percept, per time since the last one, that is added to "
+              "the speed",
               {0, 1}),
           field<&P::trustedDistance>(
-              Unit::mm, "distance of the ball at which a percept's distance has half of the weight",
+              Unit::mm,
+              "distance of the ball at which a percept's distance, whose noise grows with it, has "
+              "half of the weight",
               {1, 1e5}),
           field<&P::outlierDistance>(Unit::mm, "difference beyond which a percept is doubted",
                                      {0, 1e4}),
@@ -49,7 +52,8 @@ class PIDSmoothedBallLocator {
               {0, 100000}),
           field<&P::believedAtOnce>(
               Unit::mm,
-              "greatest distance of a percept that is accepted at once after forgetPosition",
+              "greatest distance of a percept that is accepted at once after forgetPosition; "
+              "farther ones are small in the image and often wrong",
               {0, 1e5}),
           field<&P::slowDown>(Unit::perS,
                               "share of the speed that a rolling ball loses in a second", {0, 10}),

@@ -40,9 +40,8 @@ class DefaultObstaclesLocator {
           field<&P::forgetAfter>(Unit::ms,
                                  "time after which a sector that is not seen again is forgotten",
                                  {100, 100000}),
-          field<&P::caution>(Unit::rad,
-                             "error of the camera's tilt by which free ground may be seen too far",
-                             {0, 0.2}),
+          field<&P::caution>(
+              Unit::rad, "angle by which the end of free ground may be seen too high", {0, 0.2}),
           field<&P::ballSize>(
               Unit::mm,
               "distance from the ball within which the end of free ground is no obstacle, but the "
