@@ -3,7 +3,7 @@
 namespace motionnet {
 namespace {
 
-/// The net as it is walked while one motion is requested: each node has one successor.
+/// The net while one motion is requested: each node has one successor.
 class Walk {
  public:
   Walk(const Net& net, int requested) : net_(net), requested_(requested) {

@@ -7,8 +7,8 @@
 
 namespace motionnet {
 
-/// Checks a linked net: whatever motion is requested, it is reached from every node, and every node
-/// is reached. The files are those of the motions. Takes time in proportion to nodes times motions.
+/// Checks a linked net: each requested motion must be reached from every node, and every node must
+/// be reachable. `files` are those of the motions. The time is proportional to nodes times motions.
 std::vector<Diagnostic> check(const Net& net, const std::vector<std::string>& files);
 
 }  // namespace motionnet

@@ -167,7 +167,7 @@ class Linker {
   std::map<std::size_t, std::vector<std::string>> usedLabels_;
 };
 
-/// The entry as it is if no file describes it: a transition to each motion's start.
+/// The default entry, used if no file describes it: a transition to each motion's start.
 Motion makeEntry(const std::vector<Motion>& motions) {
   Motion entry;
   entry.file = "extern";

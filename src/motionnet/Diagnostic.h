@@ -3,7 +3,7 @@
 
 namespace motionnet {
 
-/// What is wrong in a motion description, and where.
+/// An error in a motion description, with its place.
 struct Diagnostic {
   std::string file{};
   int line = 0;         ///< From 1; 0 for the whole file.

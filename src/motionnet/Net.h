@@ -11,7 +11,7 @@ struct JointRule {
   int low, high;  ///< Allowed angles in mrad.
 };
 
-/// What the motion descriptions are checked against.
+/// The columns and limits against which motion descriptions are checked.
 struct Rules {
   std::vector<JointRule> joints;  ///< In the order of the columns.
 };
@@ -24,21 +24,24 @@ struct Node {
   int motion = 0;  ///< The motion in which the node stands.
   int line = 0;
 
-  std::vector<std::optional<int>> angles;  ///< data: mrad for each joint; nothing: don't care.
-  bool interpolate = false;                ///< data: go there, or send the angles again and again.
-  int frames = 0;                          ///< data: for how long.
+  /// data: angle of each joint in mrad; empty: don't care.
+  std::vector<std::optional<int>> angles;
+  /// data: interpolate to the angles, or send them in each frame.
+  bool interpolate = false;
+  int frames = 0;  ///< data: number of frames.
 
   int joint = 0;            ///< pid
   int p = 0, i = 0, d = 0;  ///< pid
-  /// odometry: mm/s, mm/s, mrad/s from here on; displacement: mm, mm, mrad by the next data.
+  /// odometry: speed from here on, mm/s, mm/s, mrad/s; displacement: of the next data node, mm, mm,
+  /// mrad.
   int x = 0, y = 0, rotation = 0;
 
-  int requested = -1;  ///< transition: followed if this motion is requested; -1: whichever is.
+  int requested = -1;  ///< transition: followed if this motion is requested; -1: always.
   int target = 0;      ///< transition: index of the next node.
 };
 
-/// All motions, linked to one net: the nodes of a motion stand one behind the other; the last node
-/// of extern, the entry, leaves the net.
+/// All motions, linked to one net. The nodes of a motion are consecutive. The last node of extern,
+/// the entry, leaves the net.
 struct Net {
   static constexpr int externMotion = 0;
 
@@ -46,7 +49,7 @@ struct Net {
   std::vector<Node> nodes;
   int entry = 0;  ///< Index of extern's node "start".
 
-  /// The names of the motions but extern.
+  /// The names of all motions except extern.
   std::vector<std::string> names() const { return {motions.begin() + 1, motions.end()}; }
 };
 

@@ -45,7 +45,7 @@ std::optional<int> number(std::string_view word) {
   return value;
 }
 
-/// Words from outside, short enough for a message and without control characters.
+/// An input word for a message: shortened and without control characters.
 std::string shown(std::string_view word) {
   std::string s;
   for (const char c : word.substr(0, 40))

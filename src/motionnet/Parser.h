@@ -10,11 +10,11 @@
 
 namespace motionnet {
 
-/// A line of a motion description that makes a node; names are not yet resolved.
+/// A line of a motion description that defines a node; its names are not yet resolved.
 struct Statement {
   Node node;
   std::string requested, motion, label;  ///< Of a transition.
-  std::string posture;                   ///< Of data whose angles are a posture's.
+  std::string posture;                   ///< Of data that uses the angles of a posture.
 };
 
 /// One motion description.

@@ -16,8 +16,8 @@ struct BehaviorControl {
       std::tuple<MotionRequest, HeadControlMode, LedRequest, SoundRequest, BehaviorTeamMessage>;
 };
 
-/// Sensorimotor coupling: from the camera to motions in one module (report 2.2.1). A layout has it
-/// in place of BehaviorControl, HeadControl and what these need.
+/// Sensorimotor coupling: from the camera to motions in one module (report 2.2.1). In a layout it
+/// replaces BehaviorControl, HeadControl and the modules that these need.
 struct SensorBehaviorControl {
   using Outputs = std::tuple<MotionRequest, HeadMotionRequest, LedRequest, SoundRequest>;
 };

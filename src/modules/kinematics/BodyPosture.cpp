@@ -26,8 +26,8 @@ struct Stance {
   }
 };
 
-/// What a body that does not stand lies on (models/ers210.xml): the fore end of its trunk with the
-/// radius around it, the hind end, and its knees with theirs (mm).
+/// Points on which a lying body rests (models/ers210.xml), relative to the body: the fore end of
+/// its trunk with a radius, the hind end; and the radius of the knees (mm).
 const Vector3d chest{66, 0, -12}, rump{-82, 0, -38};
 constexpr double chestRadius = 28, kneeRadius = 14;
 

@@ -11,8 +11,8 @@ double limited(Joint joint, double angle) {
   return std::clamp(angle, limits.low, limits.high);
 }
 
-/// Where the camera's ray through a pixel ends, before the neck turns, if it is as far from the
-/// tilt axis as the target.
+/// The point (mm) on the camera's ray through a pixel, before the neck turns, that is as far from
+/// the tilt axis as the target.
 Vector3d beamTo(const RobotDimensions& robot, const Vector3d& target, const Vector3d& ray) {
   const Vector3d start{robot.panToCamera, 0, robot.neckToPan};
   const double b = start.dot(ray) / ray.squaredNorm();

@@ -6,7 +6,7 @@
 namespace gt {
 namespace {
 
-/// A leg in the system of the left fore leg, into which all are mirrored.
+/// Dimensions of a leg in the system of the left fore leg, to which all legs are mirrored.
 struct Model {
   Vector3d upper, lower;
   Vector2d mirror;  ///< Signs of x and y.
@@ -33,8 +33,8 @@ double clampTo(Joint joint, double angle, bool& inside) {
   return std::clamp(angle, limits.low, limits.high);
 }
 
-/// Law of cosine (3.26). The links are taken as seen from the side; the knee's angle where they are
-/// aligned is what `fold` adds to the report's q3.
+/// Law of cosine (3.26). The links are projected to the side view. `fold`, the knee's angle at
+/// which they are aligned, is added to the report's q3.
 double kneeFor(const Model& model, double distanceSquared, bool& reachable) {
   const Vector2d l1{model.upper.x(), model.upper.z()}, l2{model.lower.x(), model.lower.z()};
   const double straight = std::atan2(l1.x(), -l1.y()) - std::atan2(l2.x(), -l2.y());

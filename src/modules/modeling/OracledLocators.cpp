@@ -8,7 +8,8 @@
 namespace gt {
 namespace {
 
-/// How far it is from a point on the field to the nearest wall or robot, in mm; negative within.
+/// The distance from a point on the field to the nearest wall or robot, in mm; negative inside of
+/// one.
 double clearance(const Vector2d& point, const FieldEdges& edges, const OracledWorldState& oracle) {
   double least = ObstaclesModel::farAway;
   for (const EdgeType type : {EdgeType::border, EdgeType::yellowGoal, EdgeType::skyblueGoal})

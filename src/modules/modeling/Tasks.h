@@ -10,37 +10,39 @@
 
 namespace gt {
 
-/// Where the robot is on the field (report 3.3).
+/// The task of estimating the robot's pose on the field (report 3.3).
 struct SelfLocator {
   using Outputs = std::tuple<RobotPose>;
 };
 
-/// Where the ball is that the robot itself has seen (report 3.4.1).
+/// The task of estimating position and speed of the ball from the robot's own percepts (report
+/// 3.4.1).
 struct BallLocator {
   using Outputs = std::tuple<BallModel>;
 };
 
-/// Where the team knows the ball to be (report 3.4.2).
+/// The task of estimating the ball on the field from the observations of all robots of the team
+/// (report 3.4.2).
 struct TeamBallLocator {
   using Outputs = std::tuple<TeamBallModel>;
 };
 
-/// Where other players are (report 3.7).
+/// The task of estimating the positions of other players (report 3.7).
 struct PlayersLocator {
   using Outputs = std::tuple<PlayersCollection>;
 };
 
-/// How far the ground around the robot is free (report 3.5).
+/// The task of estimating how far the ground around the robot is free (report 3.5).
 struct ObstaclesLocator {
   using Outputs = std::tuple<ObstaclesModel>;
 };
 
-/// What has happened to the robot's body (report, chapter 3's table).
+/// The task of detecting falls, lifting and pressed switches (report, chapter 3's table).
 struct RobotStateDetector {
   using Outputs = std::tuple<RobotState>;
 };
 
-/// The robot's message to its teammates by radio (report 3.4.2).
+/// The task of composing the robot's radio message to its teammates (report 3.4.2).
 struct TeamMessageSender {
   using Outputs = std::tuple<TeamMessage>;
 };

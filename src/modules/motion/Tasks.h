@@ -12,10 +12,10 @@
 #include "representations/motion/WalkingEngineOutput.h"
 #include "representations/perception/CollisionPercept.h"
 
-/// The tasks of the motion (report 3.9), each an exchangeable slot. All of them run every 8 ms.
+/// The tasks of the motion (report 3.9). All of them run every 8 ms.
 namespace gt {
 
-constexpr double frameTime = 0.008;  ///< Between two updates of a task of the motion, in s.
+constexpr double frameTime = 0.008;  ///< Time between two updates of a task of the motion, in s.
 
 struct WalkingEngine {
   using Outputs = std::tuple<WalkingEngineOutput>;
@@ -23,7 +23,7 @@ struct WalkingEngine {
 struct SpecialActions {
   using Outputs = std::tuple<SpecialActionsOutput>;
 };
-/// Brings the robot to a stand from everywhere (report 3.9).
+/// Lets the robot stand up from any posture (report 3.9).
 struct GetupEngine {
   using Outputs = std::tuple<GetupEngineOutput>;
 };

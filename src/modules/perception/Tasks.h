@@ -13,20 +13,20 @@
 
 namespace gt {
 
-/// The task of making sense of the body's sensors (report 3.1).
+/// The task of interpreting the body's sensors (report 3.1).
 struct SensorDataProcessor {
   using Outputs = std::tuple<CameraMatrix, BodyPercept, PsdPercept, LearnedCalibration>;
 };
 
-/// The task of finding things in an image (report 3.2). Percepts are places around the robot: of an
-/// image without a valid camera matrix, as during kicks and falls, there is none but a ball whose
-/// size tells where it is (3.2.3).
+/// The task of finding things in an image (report 3.2). Percepts are places relative to the robot.
+/// An image without a valid camera matrix, as during kicks and falls, yields no percept except a
+/// ball, whose size gives its distance (3.2.3).
 struct ImageProcessor {
   using Outputs =
       std::tuple<BallPercept, LandmarksPercept, LinesPercept, PlayersPercept, ObstaclesPercept>;
 };
 
-/// All that a solution of ImageProcessor provides, as one parameter of its update().
+/// All outputs of a solution of ImageProcessor, as one parameter of its update().
 struct Percepts {
   BallPercept& ball;
   LandmarksPercept& landmarks;
@@ -37,7 +37,7 @@ struct Percepts {
   using Parts = std::tuple<BallPercept&, LandmarksPercept&, LinesPercept&, PlayersPercept&,
                            ObstaclesPercept&>;
 
-  /// Makes them those of an image, taken at a time, in which there is nothing.
+  /// Sets the percepts to those of an image, taken at `time`, that shows nothing.
   void clear(Time time) const {
     ball = {};
     landmarks.numberOfFlags = landmarks.numberOfGoals = 0;

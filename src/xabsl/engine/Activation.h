@@ -8,7 +8,7 @@
 
 namespace xabsl {
 
-/// The value of a symbol or a parameter, for people to see.
+/// The value of a symbol or a parameter in readable form.
 struct NamedValue {
   std::string name;
   ValueKind kind = ValueKind::number;
@@ -30,7 +30,7 @@ struct Activation {
   std::vector<NamedValue> parameters;
 };
 
-/// A line for each option and basic behavior, indented by depth.
+/// Formats a line for each option and basic behavior, indented by depth.
 std::string toString(const std::vector<Activation>& activations);
 
 }  // namespace xabsl

@@ -49,7 +49,7 @@ Engine::Engine(const Behavior& behavior, Bindings bindings)
   warnedBehaviors_.resize(model_->behaviors.size());
 }
 
-/// Constants, and what parameters and symbols begin with.
+/// Initializes constants, and the first values of parameters and symbols.
 void Engine::prepareMemory() {
   for (std::size_t i = 0; i < model_->expressions.size(); ++i) {
     const Expression& expression = model_->expressions[i];
@@ -92,7 +92,7 @@ void Engine::execute(std::int64_t now) {
     if (std::exchange(pending_[i], 0)) apply(i);
 }
 
-/// A basic behavior alone (report H.8).
+/// Executes a single basic behavior (report H.8).
 void Engine::runBehavior(int index) {
   if (recorder_) recordBehavior(index, 0);
   callBehavior(index, 0);
@@ -100,9 +100,10 @@ void Engine::runBehavior(int index) {
   keepParameters(memory_.data() + layout_.behaviorParameters[at(index)], count);
 }
 
-/// Executes a program from the root option until that returns. Decisions and calls are here, in one
-/// switch, so that a condition costs only its comparison and a jump. All else is in valueOf(),
-/// act() and recordEvent(). Operations that compute a value come first, up to `conflict`.
+/// Executes a program from the root option until that returns. Decisions and calls are handled
+/// here, in one switch, so that a condition costs only its comparison and a jump. All other
+/// operations are in valueOf(), act() and recordEvent(). Operations that compute a value come
+/// first, up to `conflict`.
 void Engine::run(const Program& program) {
   const Instruction* const code = program.code.data();
   const Program::StateCode* const states = program.states.data();
@@ -245,7 +246,7 @@ double Engine::valueOf(const Instruction& i, const OptionState& option) {
   }
 }
 
-/// The difference of two times; wraps round where a clock is broken.
+/// The difference of two times; wraps around if a clock is broken.
 std::int64_t Engine::since(std::int64_t then, std::int64_t now) {
   return static_cast<std::int64_t>(static_cast<std::uint64_t>(now) -
                                    static_cast<std::uint64_t>(then));
@@ -255,14 +256,14 @@ bool Engine::wasActive(const OptionState& option) const {
   return (option.cycle == cycle_ ? option.previous : option.cycle) + 1 == cycle_;
 }
 
-/// Notes that an option is active now.
+/// Marks an option as active in this cycle.
 inline void Engine::enter(OptionState& option) {
   if (option.cycle + 1 != cycle_) return enterAnew(option);
   option.previous = option.cycle;
   option.cycle = cycle_;
 }
 
-/// What was not active in the cycle before begins in its initial state.
+/// Starts an option that was not active in the cycle before in its initial state.
 void Engine::enterAnew(OptionState& option) {
   const Option& declared = model_->options[at(option.option)];
   if (!wasActive(option)) {
@@ -305,7 +306,7 @@ void Engine::callBehavior(int index, int depth) {
   function.call(function.object.get(), memory_.data() + layout_.behaviorParameters[at(index)]);
 }
 
-/// XABSL 2.1 sets outputs after the whole graph (report H.7), its successors at once.
+/// XABSL 2.1 sets outputs after the whole graph was executed (report H.7), later versions at once.
 void Engine::set(std::size_t symbol) {
   if (pending_.empty())
     apply(symbol);
@@ -342,7 +343,7 @@ double Engine::divide(const Instruction& instruction) {
 }
 
 /// The remainder of the whole parts, and 0 for a division by zero. A remainder of 0 has no sign, as
-/// that of whole numbers.
+/// for whole numbers.
 double Engine::modulo(const Instruction& instruction) {
   const double divisor = std::trunc(*instruction.b);
   if (divisor != 0) return std::fmod(std::trunc(*instruction.a), divisor) + 0.0;

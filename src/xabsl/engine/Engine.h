@@ -20,15 +20,15 @@
 
 namespace xabsl {
 
-/// Executes a behavior (report 3.8.1.1, H.7). Depends on nothing but its inputs and the time it is
-/// given; a cycle neither allocates nor looks anything up by name. An engine belongs to one thread
-/// at a time.
+/// Executes a behavior (report 3.8.1.1, H.7). Depends only on its inputs and the given time. A
+/// cycle neither allocates nor looks anything up by name. An engine belongs to one thread at a
+/// time.
 class Engine {
  public:
   struct Creation;
 
-  /// Links a behavior with the registered symbols. If that fails, there is no engine, and the
-  /// diagnostics name what is missing.
+  /// Links a behavior with the registered symbols. If linking fails, the result has no engine, and
+  /// the diagnostics name what is missing.
   static Creation create(const Behavior& behavior, const Symbols& symbols);
 
   Engine(Engine&&) = default;
@@ -40,41 +40,40 @@ class Engine {
   /// one transition. `now` is in ms.
   void execute(std::int64_t now);
 
-  /// Selects the agent, from the next cycle on. Returns false if there is none of that name.
+  /// Selects the agent from the next cycle on. Returns false if no agent has that name.
   bool selectAgent(std::string_view name);
   const std::string& selectedAgent() const;
 
-  /// Selects what cycles execute instead of the agent's root option, until the next selection: an
-  /// option with all that it calls, or a basic behavior alone (report H.8). Parameters start with
-  /// 0, false or the first element. Returns false if there is none of that name.
+  /// Replaces the agent's root option until the next selection: by another option with all that it
+  /// calls, or by a single basic behavior (report H.8). Parameters start with 0, false or the first
+  /// element. Returns false if no option or basic behavior has that name.
   bool selectRootOption(std::string_view name);
   bool selectBehavior(std::string_view name);
-  /// What cycles execute first: the name of an option or a basic behavior.
+  /// The name of the root that cycles execute: an option or a basic behavior.
   const std::string& root() const;
 
   /// Sets a parameter of the root. Values are written as NamedValue::text shows them. Returns false
   /// if there is no such parameter, or the value is not of its type.
   bool setParameter(std::string_view name, std::string_view value);
 
-  /// Sets an output or internal symbol at once, until the behavior sets it again. Returns false as
-  /// above.
+  /// Sets an output or internal symbol at once, until the behavior sets it again. Returns false if
+  /// there is no such symbol, or the value is not of its type.
   bool setOutput(std::string_view name, std::string_view value);
 
-  /// Resumes from another engine, after its behavior was edited. What has the same name keeps its
-  /// state: active options whose state still exists, with their times; parameters and the values of
-  /// output and internal symbols of the same type; the selected agent and root; how the team
-  /// cooperates. Everything else starts as in a new engine. Must be called before the first
-  /// cycle.
+  /// Resumes from another engine, after its behavior was edited. Elements with the same name keep
+  /// their state: active options whose state still exists, with their times; parameters and values
+  /// of output and internal symbols of the same type; the selected agent and root; the cooperation
+  /// of the team. Everything else starts as in a new engine. Must be called before the first cycle.
   void resumeFrom(const Engine& other);
 
-  /// The host sets priorities here and carries messages between the engines of a team. Without
-  /// messages an engine acts as if it were alone.
+  /// Gives access to the cooperation: the host sets priorities and carries messages between the
+  /// engines of a team. Without messages an engine acts as if it were alone.
   TeamCooperation& cooperation() { return cooperation_; }
   const TeamCooperation& cooperation() const { return cooperation_; }
 
-  /// Records all later cycles, or none (null). The recorder must outlive them. The first call
-  /// compiles the behavior once more, with instructions for the recorder. Engines that are not
-  /// recorded pay nothing.
+  /// Records all later cycles, or none (null). The recorder must outlive these cycles. The first
+  /// call compiles the behavior once more, with instructions for the recorder, so that engines
+  /// without a recorder have no overhead.
   void record(TraceRecorder* recorder);
 
   const Model& model() const { return *model_; }
@@ -84,7 +83,7 @@ class Engine {
     return bindings_.elements[at(enumeration)];
   }
 
-  /// What the last cycle executed, in its order.
+  /// The options and basic behaviors executed in the last cycle, in their order.
   std::vector<Activation> activations() const;
 
   /// The present value of a symbol. Empty for functions with parameters and unknown names. If an
@@ -101,7 +100,7 @@ class Engine {
   std::optional<NamedValue> symbol(std::string_view name,
                                    const std::vector<Argument>& arguments) const;
 
-  /// What went wrong while running, each problem once: divisions by zero, and options and basic
+  /// The problems while running, each reported once: divisions by zero, and options and basic
   /// behaviors executed twice in a cycle.
   std::vector<Diagnostic> warnings() const;
 
@@ -109,11 +108,11 @@ class Engine {
   /// The state of an option from cycle to cycle.
   struct OptionState {
     int option = -1;
-    int state = -1;  ///< the one that is active, or was last
+    int state = -1;  ///< the active state, or the last one
     std::int64_t activation = 0;
     std::int64_t stateActivation = 0;
-    std::uint64_t cycle = 0;     ///< in which it was active last
-    std::uint64_t previous = 0;  ///< and the one before that
+    std::uint64_t cycle = 0;     ///< the last cycle in which it was active
+    std::uint64_t previous = 0;  ///< the cycle before the last one in which it was active
   };
 
   /// An option, or without a state a basic behavior.
@@ -129,7 +128,7 @@ class Engine {
     int index = 0;  ///< in the memory
   };
 
-  /// Where execution continues in the caller of an option.
+  /// The return address in the caller of an option.
   struct Frame {
     const Instruction* next;
     OptionState* caller;
@@ -191,7 +190,7 @@ class Engine {
   MemoryLayout layout_;
   std::vector<double> memory_;
   Program program_;
-  Program recordedProgram_;  ///< empty until somebody records
+  Program recordedProgram_;  ///< empty until a recorder is set
   std::vector<Frame> frames_;
   std::vector<OptionState> options_;
   std::vector<std::uint64_t> behaviorCycles_;
@@ -204,7 +203,8 @@ class Engine {
   TraceRecorder* recorder_ = nullptr;
   bool cooperates_ = false;         ///< whether any state is cooperative
   bool parametersChanged_ = false;  ///< of the basic behavior that is about to be called
-  std::vector<char> pending_;       ///< of XABSL 2.1: the outputs to set after the graph
+  /// in XABSL 2.1: the outputs to set after the graph was executed
+  std::vector<char> pending_;
 
   std::vector<Executed> executed_;
   std::vector<double> executedValues_;
@@ -214,7 +214,7 @@ class Engine {
   std::vector<char> warnedBehaviors_;
 };
 
-/// The result of creating an engine: the engine if there is no error, and all messages.
+/// The result of creating an engine: the engine if there are no errors, and all messages.
 struct Engine::Creation {
   std::optional<Engine> engine;
   std::vector<Diagnostic> diagnostics;

@@ -4,7 +4,7 @@
 
 #include "xabsl/engine/Engine.h"
 
-/// How a person or a test overrides what an engine does (report H.8).
+/// The functions by which a person or a test overrides an engine (report H.8).
 namespace xabsl {
 
 bool Engine::selectAgent(std::string_view name) {
@@ -43,7 +43,7 @@ void Engine::resumeFrom(const Engine& other) {
            memory_[at(parameter.index)]);
 }
 
-/// An option that was active in a state that is still there.
+/// Resumes an option that was active in a state that still exists.
 void Engine::resumeFrom(const Engine& other, OptionState& option) {
   const Option& declared = model_->options[at(option.option)];
   const int before = indexOf(other.model_->options, declared.name);
@@ -60,8 +60,8 @@ void Engine::resumeFrom(const Engine& other, OptionState& option) {
   }
 }
 
-/// A value by its text, for elements may have changed their order; one of another type is not
-/// taken.
+/// Copies a value by its text, because elements may have changed their order; ignores values of
+/// another type.
 void Engine::take(const Engine& other, Type oldType, double oldValue, Type type, double& value) {
   if (oldType.kind == type.kind)
     value = read(type, other.named({}, oldType, oldValue).text).value_or(value);
@@ -95,7 +95,7 @@ bool Engine::selectBehavior(std::string_view name) {
   return select(Activation::Kind::behavior, indexOf(model_->behaviors, name));
 }
 
-/// Parameters begin with their first values, whatever a caller left there.
+/// Resets the parameters of the root to their first values.
 bool Engine::select(Activation::Kind kind, int index) {
   if (index < 0) return false;
   rootKind_ = kind;

@@ -3,7 +3,7 @@
 #include "xabsl/engine/Engine.h"
 #include "xabsl/language/ModelText.h"
 
-/// What people and tools see of an engine (report H.8), and what it sends a recorder.
+/// The state of an engine for people and tools (report H.8), and the events for a recorder.
 namespace xabsl {
 
 const std::string& Engine::selectedAgent() const {
@@ -75,7 +75,7 @@ double Engine::callInput(std::size_t symbol, const double* arguments) const {
   return function.call(function.object.get(), arguments);
 }
 
-// What a recorder is sent
+// The events for a recorder
 
 void Engine::record(TraceRecorder* recorder) {
   recorder_ = recorder;

@@ -21,7 +21,7 @@ namespace xabsl {
 struct Variable {
   enum class Kind { none, number, single, boolean, byte, integer };
 
-  Kind kind = Kind::none;  ///< none: there is no variable, or none of these types
+  Kind kind = Kind::none;  ///< none: no variable, or one of another type
   const void* address = nullptr;
 };
 
@@ -29,7 +29,7 @@ struct Variable {
 struct Function {
   double (*call)(void* object, const double* arguments) = nullptr;
   std::shared_ptr<void> object;
-  Variable variable = {};  ///< the same as the call, for a variable
+  Variable variable = {};  ///< read instead of the call, if it is a variable
 };
 
 template <typename T>
@@ -51,8 +51,8 @@ Variable variableOf(const T* variable) {
     return {};
 }
 
-/// The XABSL type that a C++ type stands for. An enumeration is known by its C++ type, or by its
-/// name where values are plain indices.
+/// The XABSL type of a C++ type. An enumeration is identified by its C++ type, or by its name if
+/// values are plain indices.
 struct RegisteredType {
   ValueKind kind = ValueKind::number;
   std::type_index type = typeid(double);
@@ -72,8 +72,8 @@ RegisteredType registeredType() {
     return {ValueKind::number, typeid(double), {}};
 }
 
-/// A number of the engine as a C++ value. Integers are cut to their range, so that no number is
-/// undefined behavior.
+/// Converts a number of the engine to a C++ value. Integers are limited to their range, so that no
+/// number causes undefined behavior.
 template <typename T>
 T fromNumber(double number) {
   if constexpr (std::is_same_v<T, bool>) {
@@ -92,7 +92,7 @@ T fromNumber(double number) {
   }
 }
 
-/// Result and arguments of anything that can be called in one way only.
+/// Result and arguments of a callable without overloads.
 template <typename Callable>
 struct Signature : Signature<decltype(&Callable::operator())> {};
 
@@ -158,10 +158,11 @@ constexpr MemberParameter<Class, T> parameter(const char* name, T Class::*member
   return {name, member};
 }
 
-/// A class of which each object is a basic behavior (report H.5): `name` is its name in XABSL,
-/// `parameters()` a tuple of what parameter() makes, in any order. `execute()` is called in each
-/// cycle that executes it, with the parameters in their members. `parametersChanged()`, where the
-/// class has it, is called before, whenever one of them is another one than at the last call.
+/// A class whose objects are basic behaviors (report H.5): `name` is the name in XABSL,
+/// `parameters()` a tuple of results of parameter(), in any order. `execute()` is called in each
+/// cycle that executes the basic behavior, with the parameters in the members.
+/// `parametersChanged()`, if the class has it, is called before, if a parameter has changed since
+/// the last call.
 template <typename T>
 concept BehaviorClass = requires(T& behavior) {
   {T::name};

@@ -8,7 +8,7 @@
 
 namespace xabsl {
 
-/// What a model's symbols and basic behaviors are in C++, by the model's indices.
+/// The C++ functions of a model's symbols and basic behaviors, by the model's indices.
 struct Bindings {
   struct Bound {
     Function function;
@@ -16,12 +16,12 @@ struct Bindings {
     std::function<void(const double* arguments)> parametersChanged;  ///< may be empty
   };
 
-  std::vector<Bound> symbols;  ///< internal symbols are bound to nothing
+  std::vector<Bound> symbols;  ///< without functions for internal symbols
   std::vector<Bound> behaviors;
   std::vector<std::vector<double>>
       elements;  ///< per enumeration: the registered value of each element
-  /// Per enumeration: what symbols and parameters begin with. As in the engines of others it is the
-  /// first element that was registered, wherever that stands in XABSL.
+  /// Per enumeration: the first value of symbols and parameters. As in the engines of others it is
+  /// the element that was registered first, independent of the order in XABSL.
   std::vector<double> firstElements;
 };
 

@@ -6,7 +6,7 @@ namespace xabsl {
 
 namespace {
 
-/// Jumps to a place that is not known yet.
+/// The target of jumps that is not known yet.
 struct Label {
   std::vector<int> jumps;
 };

@@ -10,7 +10,7 @@
 
 namespace xabsl {
 
-/// What an instruction does. Values that it takes are *a and *b; `to` is the place of its result in
+/// The operation of an instruction. Its operands are *a and *b; `to` is the index of its result in
 /// the engine's memory, or the instruction to jump to.
 enum class Operation : std::uint8_t {
   // Values
@@ -21,8 +21,8 @@ enum class Operation : std::uint8_t {
   add,
   subtract,
   multiply,
-  divide,  ///< `to` is the expression's own place
-  modulo,  ///< the same
+  divide,  ///< `to`: the index of the expression
+  modulo,  ///< `to`: the index of the expression
   readSingle,
   readBoolean,
   readByte,
@@ -45,25 +45,25 @@ enum class Operation : std::uint8_t {
   // The end of a decision; `to`: the actions
   stay,
   change,          ///< index: the state
-  changeIfAgreed,  ///< the same, for a cooperative state
-  // On to the active state's part of the code
+  changeIfAgreed,  ///< index: the cooperative state
+  // Jumps to the active state's part of the code
   decideInState,
   actInState,
   // Actions
-  keepParameters,   ///< a: the first one; index: how many
-  markOption,       ///< for the team
+  keepParameters,   ///< a: the first one; index: their number
+  markOption,       ///< for the cooperation of the team
   set,              ///< index: the symbol, which has its new value
-  pass,             ///< *a as a parameter in `to`, noticing whether it changed
+  pass,             ///< stores *a as a parameter in `to`, and records whether it changed
   notifyOfChanges,  ///< index: the basic behavior
   callBehavior,     ///< index
   callOption,       ///< index
   back,
-  // What a recorder wants to know besides
-  recordOption,     ///< begins to decide
+  // Additional events for a recorder
+  recordOption,     ///< the option begins to decide
   recordRead,       ///< index: the expression; *a
   recordArgument,   ///< index: the parameter; *a
   recordHolds,      ///< index: the decision
-  recordHoldsNot,   ///< the same
+  recordHoldsNot,   ///< index: the decision
   recordState,      ///< the option has decided
   recordBehavior,   ///< index
   recordAssignment  // index: the symbol; *a
@@ -81,11 +81,11 @@ struct Instruction {
   };
 };
 
-/// A behavior as a list of instructions that an engine goes through without looking anything up.
-/// Begins with the end: the instruction `back` to which the root option returns.
+/// A behavior as a list of instructions that an engine executes without looking anything up. The
+/// first instruction is the `back` to which the root option returns.
 struct Program {
-  /// Where the code for an active state begins. The option's common decision and common actions
-  /// come first where there are any.
+  /// The beginnings of the code for an active state. The option's common decision and common
+  /// actions come first, if there are any.
   struct StateCode {
     int decide = 0;
     int decideInState = 0;
@@ -98,19 +98,19 @@ struct Program {
 };
 
 /// The places of all values in an engine's memory. First comes a place for each expression of the
-/// model: constants stand there, others are computed there, so no two of them can be in each
-/// other's way.
+/// model, which holds the constant or the result, so that expressions cannot overwrite each other.
 struct MemoryLayout {
   std::vector<int> optionParameters;    ///< per option: its first parameter
   std::vector<int> behaviorParameters;  ///< per basic behavior: the first argument of its function
-  std::vector<int> arguments;           ///< per expression: of a call, the first argument
+  std::vector<int> arguments;           ///< per expression that is a call: its first argument
   int variables = 0;                    ///< per symbol: the last value of an output or internal one
   std::size_t size = 0;
 
   explicit MemoryLayout(const Model& model);
 };
 
-/// Compiles a behavior for an engine with such bindings and memory, neither of which may move.
+/// Compiles a behavior for an engine with these bindings and this memory, neither of which may
+/// move.
 Program makeProgram(const Model& model, const Bindings& bindings, const MemoryLayout& layout,
                     const double* memory, bool recorded);
 

@@ -35,7 +35,7 @@ struct RegisteredFunction {
   RegisteredType type;  ///< of the symbol
   std::vector<RegisteredParameter> parameters;
   std::function<void(const double* arguments)>
-      parametersChanged;  ///< of a basic behavior, or empty
+      parametersChanged;  ///< of a basic behavior; may be empty
 };
 
 struct RegisteredEnumeration {
@@ -43,25 +43,25 @@ struct RegisteredEnumeration {
   std::type_index type = typeid(void);
 };
 
-/// A pointer to data; all else that is registered is called.
+/// Whether T is a pointer to data; everything else that is registered is called.
 template <typename T>
 constexpr bool isVariable = std::is_pointer_v<T> && !std::is_function_v<std::remove_pointer_t<T>>;
 
-/// What a program registers for behaviors: variables, functions, enumerations and basic
-/// behaviors, by the names used in XABSL (report H.3 to H.5). Types follow from C++: bool is bool,
-/// an enum class is the enumeration registered for it, any other number is float. Registering a
-/// name again replaces the earlier entry. Objects registered by pointer must outlive the engines
-/// that use them.
+/// The registry of a program for behaviors: variables, functions, enumerations and basic behaviors,
+/// by the names used in XABSL (report H.3 to H.5). Types are deduced from C++: bool is bool, an
+/// enum class is the enumeration registered for it, any other number is float. Registering a name
+/// again replaces the earlier entry. Objects registered by pointer must outlive the engines that
+/// use them.
 class Symbols {
  public:
-  /// The names of an enum's values 0, 1, ..., as XABSL calls them.
+  /// Registers the names in XABSL of an enum's values 0, 1, ...
   template <typename Enum>
   void enumeration(const std::string& name, std::vector<std::string> elements) {
     static_assert(std::is_enum_v<Enum>);
     addEnumeration(name, std::move(elements), typeid(Enum));
   }
 
-  /// The names of some of an enum's values, which may stand in any order and have gaps.
+  /// Registers the names of some of an enum's values, in any order and with gaps.
   template <typename Enum>
   void enumerationValues(const std::string& name,
                          const std::vector<std::pair<Enum, std::string>>& elements) {
@@ -70,12 +70,12 @@ class Symbols {
     enumeration<Enum>(name, std::move(names));
   }
 
-  /// An enumeration that is known as data only; its values are indices.
+  /// Registers an enumeration without a C++ type; its values are indices.
   void enumeration(const std::string& name, std::vector<std::string> elements) {
     addEnumeration(name, std::move(elements), typeid(void));
   }
 
-  /// A variable, read each time the symbol is used.
+  /// Registers a variable that is read each time the symbol is used.
   template <typename T>
   requires std::is_arithmetic_v<T> || std::is_enum_v<T>
   void input(const std::string& name, const T* variable) {
@@ -83,8 +83,8 @@ class Symbols {
     inputs_[name].function.variable = variableOf(variable);
   }
 
-  /// A function, called each time the symbol is used. Its arguments are the parameters of the
-  /// symbol.
+  /// Registers a function that is called each time the symbol is used. Its arguments are the
+  /// parameters of the symbol.
   template <typename Callable>
   requires(!isVariable<Callable>) void input(const std::string& name,
                                              const std::vector<ParameterName>& parameters,
@@ -97,7 +97,7 @@ class Symbols {
     input(name, {}, std::move(callable));
   }
 
-  /// The same for an enumeration known as data: the callable returns an index.
+  /// Registers a symbol of an enumeration without a C++ type: the callable returns an index.
   template <typename Callable>
   void inputIndex(const std::string& name, const std::string& enumeration, Callable callable) {
     static_assert(std::is_integral_v<ResultOf<Callable>>);
@@ -105,14 +105,14 @@ class Symbols {
     setIndex(inputs_[name], enumeration);
   }
 
-  /// A variable that is written each time the symbol is set.
+  /// Registers a variable that is written each time the symbol is set.
   template <typename T>
   requires std::is_arithmetic_v<T> || std::is_enum_v<T>
   void output(const std::string& name, T* variable) {
     output(name, [variable](T value) { *variable = value; });
   }
 
-  /// A function of one argument, called each time the symbol is set.
+  /// Registers a function of one argument that is called each time the symbol is set.
   template <typename Callable>
   requires(!isVariable<Callable>) void output(const std::string& name, Callable callable) {
     static_assert(std::tuple_size_v<ArgumentsOf<Callable>> == 1);
@@ -120,7 +120,7 @@ class Symbols {
         {});
   }
 
-  /// The same for an enumeration known as data: the callable takes an index.
+  /// Registers an output symbol of an enumeration without a C++ type: the callable takes an index.
   template <typename Callable>
   void outputIndex(const std::string& name, const std::string& enumeration, Callable callable) {
     static_assert(std::is_integral_v<std::tuple_element_t<0, ArgumentsOf<Callable>>>);
@@ -128,8 +128,9 @@ class Symbols {
     setIndex(outputs_[name], enumeration);
   }
 
-  /// A basic behavior: called in each cycle that executes it, with its parameters as arguments.
-  /// `parametersChanged` is called before, when an argument is another one than at the last call.
+  /// Registers a basic behavior: a callable that is called in each cycle that executes it, with its
+  /// parameters as arguments. `parametersChanged` is called before, if an argument has changed
+  /// since the last call.
   template <typename Callable>
   void behavior(const std::string& name, const std::vector<ParameterName>& parameters,
                 Callable callable, std::function<void()> parametersChanged = {}) {
@@ -146,7 +147,7 @@ class Symbols {
     behavior(name, {}, std::move(callable));
   }
 
-  /// A basic behavior as an object of a class, which must outlive engines.
+  /// Registers an object of a class as a basic behavior. The object must outlive engines.
   template <BehaviorClass Class>
   void behavior(Class& object) {
     RegisteredFunction& entry = behaviors_[Class::name] = {};
@@ -168,7 +169,7 @@ class Symbols {
       };
   }
 
-  /// The same for tools, which know names and types as data only.
+  /// Register functions for tools that have no C++ types.
   void addInput(const std::string& name, RegisteredFunction function) {
     inputs_[name] = std::move(function);
   }
@@ -179,7 +180,7 @@ class Symbols {
     behaviors_[name] = std::move(function);
   }
 
-  /// What stands for a name, or null.
+  /// The entry registered under a name, or null.
   const RegisteredFunction* findInput(const std::string& name) const { return find(inputs_, name); }
   const RegisteredFunction* findOutput(const std::string& name) const {
     return find(outputs_, name);
@@ -191,10 +192,10 @@ class Symbols {
     return find(enumerations_, name);
   }
 
-  /// The name under which a C++ enum was registered, or nothing.
+  /// The name under which a C++ enum was registered; empty if it was not.
   std::string enumerationName(const RegisteredType& type) const;
 
-  /// All that is registered, by name.
+  /// All registered entries, by name.
   const std::map<std::string, RegisteredFunction>& inputs() const { return inputs_; }
   const std::map<std::string, RegisteredFunction>& outputs() const { return outputs_; }
   const std::map<std::string, RegisteredFunction>& behaviors() const { return behaviors_; }

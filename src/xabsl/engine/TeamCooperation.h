@@ -8,21 +8,21 @@
 
 namespace xabsl {
 
-/// What an engine sends to the engines of its teammates after each cycle. All must run the same
-/// behavior: the marks are in the order of its cooperative states.
+/// The message of an engine to the engines of its teammates after each cycle. All engines must run
+/// the same behavior: the marks are in the order of its cooperative states.
 struct CooperationMessage {
   enum Mark : std::uint8_t {
-    optionExecuted = 1,  ///< the option that the state belongs to was active
+    optionExecuted = 1,  ///< the option of the state was active
     executing = 2,       ///< the state was active
-    entering = 4         // the decisions chose the state, but the team has yet to agree
+    entering = 4         // the decisions chose the state, but the team has not agreed yet
   };
 
   double priority = 0;
   std::vector<std::uint8_t> marks;
 };
 
-/// Agrees with teammates about who enters a cooperative state. The engine asks it, the host
-/// carries the messages. Nothing is allocated after construction.
+/// Negotiates with teammates which robots enter a cooperative state. The engine queries it, the
+/// host carries the messages. Nothing is allocated after construction.
 class TeamCooperation {
  public:
   explicit TeamCooperation(const Model& model);
@@ -33,13 +33,13 @@ class TeamCooperation {
   void configure(double priority, int synchronizationTicks);
   int synchronizationTicks() const { return synchronizationTicks_; }
 
-  /// Which robots `synchronized n` counts: by default n robots with this one among them, as some
-  /// engines of other teams do; with true n teammates besides it, as the stock engine of XABSL 3.1
-  /// does.
+  /// Selects the robots that `synchronized n` counts: by default n robots including this one, as in
+  /// some engines of other teams; with true n teammates in addition to it, as in the stock engine
+  /// of XABSL 3.1.
   void countTeammatesOnly(bool only) { countsTeammatesOnly_ = only; }
   bool countsTeammatesOnly() const { return countsTeammatesOnly_; }
 
-  /// Takes the latest message of each teammate and replaces all earlier ones. Missing marks are 0.
+  /// Replaces all earlier messages by the latest one of each teammate. Missing marks are 0.
   void receive(const std::vector<CooperationMessage>& messages);
 
   const CooperationMessage& message() const { return message_; }
@@ -47,10 +47,10 @@ class TeamCooperation {
   void beginCycle();
   void markOption(int option, int state);
 
-  /// Whether a state may be entered in this cycle; if not, announces that it is wanted.
+  /// Returns whether a state may be entered in this cycle; if not, announces it to the team.
   bool mayEnter(int state);
 
-  /// Whether so many others are in a state with a capacity that it is full without us.
+  /// Returns whether a state with a capacity is full with other robots alone.
   bool conflict(int state) const;
 
  private:
@@ -59,11 +59,11 @@ class TeamCooperation {
     int state = -1;
     Cooperation cooperation;
     bool entering = false;  ///< in this cycle
-    int announced = 0;      ///< cycles in a row before this one
+    int announced = 0;      ///< number of consecutive cycles before this one
     int othersInOption = 0;
     int othersExecuting = 0;
     int othersEntering = 0;
-    double largestPriority = 0;  ///< of those entering
+    double largestPriority = 0;  ///< of the robots entering
   };
 
   bool hasPlace(Member& member) const;

@@ -6,17 +6,17 @@
 
 namespace xabsl {
 
-/// One thing that an engine did. Index and value depend on the kind:
+/// An event in an engine. Index and value depend on the kind:
 struct TraceEvent {
   enum class Kind : std::uint8_t {
     cycle,       ///< value: the time in ms
     option,      ///< an option begins to decide; index: option, value: depth
-    read,        ///< index: expression, value: what it was
-    argument,    ///< of the next read, which is a function; index: parameter
+    read,        ///< index: expression, value: its value
+    argument,    ///< argument of the next read, of a function; index: parameter
     decide,      ///< index: decision, value: 1 if its condition held
-    change,      ///< from one state to another; index: from, value: to
+    change,      ///< a transition; index: old state, value: new state
     state,       ///< an option has decided; index: state, value: ms since it became active
-    optionTime,  ///< of the same option; index: option, value: ms since it became active
+    optionTime,  ///< of the option before; index: option, value: ms since it became active
     behavior,    ///< index: basic behavior, value: depth
     parameter,   ///< of the option or basic behavior before; index: parameter
     assign       // index: output or internal symbol
@@ -30,11 +30,11 @@ struct TraceEvent {
   bool operator==(const TraceEvent&) const = default;
 };
 
-/// Keeps what an engine did in its last cycles, in memory that is allocated once. New events
+/// Keeps the events of an engine's last cycles in a ring buffer that is allocated once. New events
 /// replace the oldest ones.
 class TraceRecorder {
  public:
-  /// A cycle is some ten events for each active option.
+  /// `events` is the capacity. A cycle has about ten events for each active option.
   explicit TraceRecorder(std::size_t events) : ring_(events < 1 ? 1 : events) {}
 
   void add(TraceEvent::Kind kind, int index, double value) {

@@ -24,7 +24,7 @@ std::vector<RegisteredParameter> registeredParameters(const Model& model,
   return registered;
 }
 
-/// A pointer that somebody else deletes.
+/// A shared pointer that does not own the object.
 std::shared_ptr<void> unowned(void* object) {
   return {std::shared_ptr<void>(), object};
 }

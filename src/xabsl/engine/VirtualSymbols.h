@@ -9,11 +9,12 @@
 
 namespace xabsl {
 
-/// Registers all declarations of a model as data, for tools and tests without a robot. Elements
-/// have their indices as values. Must outlive the engines that use it.
+/// Registers all declarations of a model as variables of its own, for tools and tests without a
+/// robot. The values of elements are their indices. Must outlive the engines that use it.
 class VirtualSymbols {
  public:
-  /// The value of an input symbol with parameters; arguments in the order of the declaration.
+  /// Computes the value of an input symbol with parameters; arguments are in the order of the
+  /// declaration.
   using Call = std::function<double(int symbol, const double* arguments)>;
 
   explicit VirtualSymbols(const Model& model, Call call = {});
@@ -22,7 +23,7 @@ class VirtualSymbols {
 
   const Symbols& symbols() const { return symbols_; }
 
-  /// The value of an input symbol, or what an output symbol was set to last.
+  /// The value of an input symbol, or the last value set to an output symbol.
   double& value(int symbol) { return entries_[at(symbol)].value; }
 
  private:

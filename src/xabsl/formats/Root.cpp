@@ -10,7 +10,7 @@ namespace xabsl {
 
 namespace {
 
-/// Whether a file may be that with the agents of another one.
+/// Whether a file may be the file with the agents that includes another one.
 bool mayBeRootOf(const std::string& candidate, const std::string& text, const std::string& path) {
   const std::filesystem::path extension = std::filesystem::path(candidate).extension();
   return extension == std::filesystem::path(path).extension() &&

@@ -22,8 +22,8 @@ std::string normal(const std::filesystem::path& path) {
   return path.lexically_normal().generic_string();
 }
 
-/// True if there is no character that only other kinds of files hold. Otherwise each of them would
-/// be an error of its own.
+/// True if a text contains no characters of binary files. Otherwise each of them would be a
+/// separate error.
 bool isText(const std::string& text) {
   return std::none_of(text.begin(), text.end(), [](char c) {
     return static_cast<unsigned char>(c) < ' ' &&
@@ -31,7 +31,7 @@ bool isText(const std::string& text) {
   });
 }
 
-/// The path of what a file includes.
+/// The path of an included file.
 std::string target(const std::string& path, const syntax::Include& include) {
   std::string name(include.path);
   std::replace(name.begin(), name.end(), '\\', '/');  // as written on Windows

@@ -9,12 +9,12 @@
 namespace xabsl {
 
 /// Reads a behavior, as text or XML, from a file and all files that it includes, each once. The
-/// program holds the texts and sets the version of text. Errors go to the reporter.
+/// program stores the texts; its dialect selects the version of text. Errors go to the reporter.
 void readSources(const std::string& path, const FileReader& read, syntax::Program& program,
                  Reporter& reporter);
 
-/// Reports that a sound program has no agent: a part of a behavior does not know the rest, and all
-/// other errors would follow from that.
+/// Reports an error if a program without other errors has no agent. Such a file is a part of a
+/// behavior, and all further errors would follow from the missing rest.
 void requireAgents(const syntax::Program& program, Reporter& reporter);
 
 }  // namespace xabsl

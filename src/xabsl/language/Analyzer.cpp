@@ -9,11 +9,11 @@ namespace xabsl {
 
 namespace {
 
-// Beyond what anybody writes; they bound time and memory for broken files.
+// Limits far beyond real behaviors, which bound time and memory for broken files.
 constexpr std::size_t maximalElements = 1000;
 constexpr std::size_t maximalParameters = 100;
 
-// What the reader of public XABSL engines has room for.
+// The longest name that the reader of public XABSL engines accepts.
 constexpr std::size_t longestPortableName = 99;
 
 }  // namespace

@@ -14,14 +14,14 @@
 
 namespace xabsl {
 
-/// Resolves a syntax tree into a model: finds what names stand for, checks types and the rules of
-/// the language. Expressions and actions of the tree get the indices of those of the model.
+/// Resolves a syntax tree into a model: resolves names, checks types and the rules of the language.
+/// Expressions and actions of the tree get the indices of those in the model.
 class Analyzer {
  public:
-  /// What names stand for is added to `references`, if that is given.
+  /// Resolved names are added to `references`, if that is given.
   Analyzer(syntax::Program& program, Reporter& reporter, References* references = nullptr);
 
-  /// The model; of use only if the reporter has not failed.
+  /// Returns the model, which is valid only if the reporter has not failed.
   Model analyze();
 
  private:

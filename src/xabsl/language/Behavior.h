@@ -10,8 +10,8 @@
 
 namespace xabsl {
 
-/// A compiled behavior. Cheap to copy, never changes; any number of engines, in any threads, may
-/// share one.
+/// A compiled behavior. It is cheap to copy and immutable; any number of engines, in any threads,
+/// may share one.
 class Behavior {
  public:
   explicit Behavior(std::shared_ptr<const Model> model) : model_(std::move(model)) {}
@@ -23,7 +23,7 @@ class Behavior {
   std::shared_ptr<const Model> model_;
 };
 
-/// The result of compiling: a behavior if there is no error, and all messages.
+/// The result of compiling: a behavior if there are no errors, and all messages.
 struct Compilation {
   std::optional<Behavior> behavior;
   std::vector<Diagnostic> diagnostics;

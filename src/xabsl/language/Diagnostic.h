@@ -23,19 +23,19 @@ struct Diagnostic {
   int line = 0;  ///< 0: the message is about the file as a whole
   int column = 0;
   std::string message;
-  std::string source = {};  ///< the line itself, if it is known
+  std::string source = {};  ///< the text of the line, if it is known
 };
 
 /// One line: `file:line:column: message`, with `warning: ` before the message of a warning.
 std::string toString(const Diagnostic& diagnostic);
 
-/// The same, followed by the line of the source with a caret under the place.
+/// Like toString, followed by the line of the source with a caret under the place.
 std::string toStringWithSource(const Diagnostic& diagnostic);
 
-/// A name or a piece of source for a message: in quotes, and cut after 80 bytes.
+/// A name or a part of the source for a message: in quotes, and cut after 80 bytes.
 std::string inQuotes(std::string_view text);
 
-/// Whether there is an error, or, if `strict`, anything at all.
+/// Returns whether there is an error, or, if `strict`, any message.
 bool fails(const std::vector<Diagnostic>& diagnostics, bool strict = false);
 
 }  // namespace xabsl

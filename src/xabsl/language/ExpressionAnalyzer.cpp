@@ -12,7 +12,7 @@ namespace {
 constexpr Type number{ValueKind::number, -1};
 constexpr Type boolean{ValueKind::boolean, -1};
 
-/// How messages name an operator.
+/// The name of an operator in messages.
 std::string quoted(Operator operation) {
   return inQuotes(spellingOf(operation).text);
 }
@@ -45,7 +45,7 @@ void ExpressionAnalyzer::refer(const Entity& entity, syntax::Expression& source)
   if (references_) references_->add(entity, source.name, source.location);
 }
 
-/// Not an enumeration that was reported as unknown, which stands for any.
+/// Returns false for an enumeration that was reported as unknown, which matches any type.
 bool ExpressionAnalyzer::isDeclared(Type type) const {
   return type.kind != ValueKind::enumeration || type.enumeration < 0 ||
          !model_.enumerations[at(type.enumeration)].elements.empty();

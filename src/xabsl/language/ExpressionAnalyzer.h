@@ -12,10 +12,10 @@
 
 namespace xabsl {
 
-/// How messages name a type: `float`, `bool` or `enum E`.
+/// The name of a type in messages: `float`, `bool` or `enum E`.
 std::string describe(const Model& model, Type type);
 
-/// Finds a parameter by name, with or without `owner.` before it; -1: there is none.
+/// The index of a parameter by its name, with or without `owner.` before it; -1 if there is none.
 int findParameter(const std::vector<Parameter>& parameters, std::string_view name,
                   std::string_view owner);
 
@@ -25,12 +25,12 @@ class ExpressionAnalyzer {
   ExpressionAnalyzer(Model& model, const Names& names, int option, Reporter& reporter,
                      References* references = nullptr);
 
-  /// The index of the resolved expression, or -1 after an error. `purpose` begins the message when
-  /// the type is another one.
+  /// The index of the resolved expression, or -1 after an error. `purpose` is the beginning of the
+  /// message about a wrong type.
   int expression(syntax::Expression& source, Type wanted, const std::string& purpose);
 
-  /// Resolves `name = value, ...`; what is not given becomes 0, false or the first element (report
-  /// F.6). `entity` is what has the parameters. Returns the index of the first operand.
+  /// Resolves `name = value, ...`; parameters not given become 0, false or the first element
+  /// (report F.6). `entity` is the owner of the parameters. Returns the index of the first operand.
   int arguments(const std::vector<syntax::Argument>& sources,
                 const std::vector<Parameter>& parameters, std::string_view owner,
                 const std::string& callee, const Entity& entity);

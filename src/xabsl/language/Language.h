@@ -2,16 +2,16 @@
 
 #include <cstddef>
 
-/// The words that syntax tree and model share.
+/// Definitions shared by syntax tree and model.
 namespace xabsl {
 
-/// An index as the containers of the library take it. Where no index is, indices are -1.
+/// Converts an index for the containers of the library. The index -1 means "none".
 constexpr std::size_t at(int index) {
   return static_cast<std::size_t>(index);
 }
 
-/// The types of XABSL: float, bool and enum. All values are held as numbers: 0 and 1 for false and
-/// true.
+/// The types of XABSL: float, bool and enum. All values are stored as numbers: 0 and 1 for false
+/// and true.
 enum class ValueKind { number, boolean, enumeration };
 
 enum class SymbolKind { input, output, internal };
@@ -25,8 +25,8 @@ constexpr const char* wordOf(SymbolKind kind) {
 /// (report H.7), in 3.0 and 3.1 at once.
 enum class Dialect { xabsl21, xabsl30, xabsl31 };
 
-/// How the robots that execute the same option agree about a state: at most `agents` of them may be
-/// in it, or at least that many enter it together.
+/// The cooperation of the robots that execute the same option in a state: at most `agents` of them
+/// may be in the state (capacity), or at least that many enter it together (synchronized).
 struct Cooperation {
   enum class Kind { none, capacity, synchronized };
 
@@ -34,7 +34,7 @@ struct Cooperation {
   int agents = 0;
 };
 
-/// What an expression does, with the indices a, b and c of the resolved Expression.
+/// The operator of an expression, with the indices a, b and c of the resolved Expression.
 enum class Operator {
   constant,   ///< number; a: its index if it has a name; b: 1 for true and false
   element,    ///< a: enumeration, b: element

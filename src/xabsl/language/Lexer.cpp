@@ -163,8 +163,8 @@ void Lexer::skipBlockComment() {
   keep(kind, first, start);
 }
 
-/// Where a comment that is not closed probably ends: before the next line that begins as a
-/// declaration does, so that editors still know what is declared there.
+/// The probable end of a comment that is not closed: before the next line that begins like a
+/// declaration, so that editors still find the declarations there.
 std::size_t Lexer::endOfOpenComment(std::size_t start) const {
   std::size_t newline = text_.find('\n', start);
   while (newline != std::string_view::npos) {
@@ -211,8 +211,8 @@ Token Lexer::enclosed(Token token, TokenKind kind, char close, const char* name)
   return token;
 }
 
-/// The place of `close`, or the end of the line. A string may go over lines, but not into the next
-/// statement: so a missing quote affects one line only.
+/// The place of `close`, or the end of the line. A string may span lines, but not into the next
+/// statement, so that a missing quote affects one line only.
 std::size_t Lexer::endOfEnclosed(char close) const {
   constexpr std::size_t farthest = 500;
   const std::size_t line = std::min(text_.find('\n', position_), text_.size());

@@ -25,8 +25,8 @@ struct Token {
   TokenKind kind = TokenKind::end;
   std::string_view text;
   Location location;
-  Location end;          ///< behind its last letter
-  std::string_view doc;  ///< of the documentation comment before it, without the marks
+  Location end;          ///< behind its last character
+  std::string_view doc;  ///< text of the documentation comment before it, without the marks
   double number = 0;
 
   bool is(std::string_view expected) const {
@@ -34,14 +34,14 @@ struct Token {
   }
 };
 
-/// How a message names a token: 'text', or what stands for it.
+/// The name of a token in messages: 'text', or a description.
 std::string describe(const Token& token);
 
-/// Turns XABSL text into tokens, one at a time. Comments are put aside; what is no token is
-/// reported and skipped.
+/// Splits XABSL text into tokens, one at a time. Comments are stored separately; invalid characters
+/// are reported and skipped.
 class Lexer {
  public:
-  static constexpr std::size_t longestName = 500;  ///< Letters; longer ones are errors.
+  static constexpr std::size_t longestName = 500;  ///< Number of letters; longer names are errors.
 
   /// Comments are appended to `comments`, if that is given. In XABSL 3.0 the words of cooperation
   /// are names.
@@ -50,7 +50,7 @@ class Lexer {
 
   Token next();
 
-  /// Whether the first letter behind the last token and blanks is this one.
+  /// Returns whether `letter` is the first character behind the last token and blanks.
   bool isNext(char letter) const;
 
  private:
@@ -76,7 +76,7 @@ class Lexer {
   Dialect dialect_;
   std::string_view doc_;
   std::size_t position_ = 0;
-  bool openComment_ = false;  ///< no comment ends behind here any more
+  bool openComment_ = false;  ///< no comment ends behind this position
   Location location_;
 };
 

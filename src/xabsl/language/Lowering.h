@@ -8,14 +8,13 @@
 
 #include "xabsl/language/Model.h"
 
-/// What the public compilers make of expressions, in intermediate code and in XML alike.
+/// Transformations of expressions by the public compilers, for intermediate code and XML.
 namespace xabsl {
 
 /// `d name`, `b name` or `e enumeration name`.
 std::string typedName(const Model& model, Type type, const std::string& name);
 
-/// The indices of those elements that are wanted, in the order of their names without regard to
-/// case.
+/// The indices of the elements that `wanted` accepts, sorted by their names without regard to case.
 template <typename Element, typename Wanted>
 std::vector<int> sortedByName(const std::vector<Element>& elements, Wanted wanted) {
   std::vector<std::pair<std::string, int>> names;
@@ -32,16 +31,17 @@ std::vector<int> sortedByName(const std::vector<Element>& elements, Wanted wante
   return indices;
 }
 
-/// The same for all of them.
+/// The indices of all elements, sorted by their names without regard to case.
 template <typename Element>
 std::vector<int> sortedByName(const std::vector<Element>& elements) {
   return sortedByName(elements, [](const Element&) { return true; });
 }
 
-/// Whole numbers without a point, all others with as many digits as they need.
+/// Formats a number: whole numbers without a point, others with as many digits as needed.
 std::string decimalText(double number);
 
-/// The value of a number with signs before it, or nothing: then a sign is a subtraction from 0.
+/// The value of a negated literal number. Nothing for other operands, for which the sign is a
+/// subtraction from 0.
 std::optional<double> signedNumber(const Model& model, const Expression& negation);
 
 /// The operands of `&&` or `||` together with those of the same operator below it.

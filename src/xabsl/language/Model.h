@@ -51,7 +51,7 @@ struct Namespace {
   std::string doc = {};
 };
 
-/// A named number. Expressions hold its value; this is for those that write and document.
+/// A named number. Expressions hold its value; this entry is for writers and documentation.
 struct Constant {
   std::string name;
   std::string digits;  ///< of the value, as written
@@ -62,13 +62,13 @@ struct Constant {
   std::string doc = {};
 };
 
-/// Where something declared is used first.
+/// The first use of a declaration.
 struct Use {
   int option = -1;  ///< -1: nowhere
   Location location;
 };
 
-/// A value that behavior and surroundings share; inputs with parameters are functions.
+/// A value shared by the behavior and the C++ program; inputs with parameters are functions.
 struct Symbol {
   SymbolKind kind = SymbolKind::input;
   std::string name;
@@ -92,8 +92,8 @@ struct BasicBehavior {
   std::string doc = {};
 };
 
-/// One operation; a, b and c are indices, what into is stated at Operator. A constant's a is its
-/// index in Model::constants, or -1 for a number that was written out.
+/// One operation. The meaning of the indices a, b and c is defined at Operator. A constant's a is
+/// its index in Model::constants, or -1 for a literal number.
 struct Expression {
   Operator operation = Operator::constant;
   int a = -1;
@@ -102,14 +102,14 @@ struct Expression {
   double number = 0;
 };
 
-/// Where a decision leads: to a further decision, or to its end.
+/// The result of a decision: a further decision, or the end of the decision tree.
 struct Branch {
   enum class Kind {
     decision,
     state,
     stay,
     none
-  };  ///< none: a common decision tree that decided nothing
+  };  ///< none: the common decision tree has not decided
 
   Kind kind = Kind::none;
   int index = -1;  ///< of the decision or the state
@@ -131,7 +131,7 @@ struct Action {
   Location location;
 };
 
-/// A part of a list that several owners share.
+/// A range of a list that several owners share.
 struct Span {
   int first = 0;
   int count = 0;
@@ -187,7 +187,7 @@ struct Agent {
   std::string doc = {};
 };
 
-/// The index of what has a name in a list, or -1.
+/// The index of the element with a name in a list, or -1.
 template <typename List>
 int indexOf(const List& list, std::string_view name) {
   for (std::size_t i = 0; i < list.size(); ++i)
@@ -195,8 +195,8 @@ int indexOf(const List& list, std::string_view name) {
   return -1;
 }
 
-/// A whole behavior with all names and types resolved. Built by the compiler, never changed after
-/// that; engines and tools read it.
+/// A whole behavior with all names and types resolved. Built by the compiler and immutable
+/// afterwards; engines and tools read it.
 struct Model {
   Dialect dialect = Dialect::xabsl31;
   std::string title;
@@ -215,8 +215,8 @@ struct Model {
   std::vector<Expression> expressions;  ///< begins with the default of each type
   std::vector<Location> expressionLocations;
   std::vector<int> operands;
-  /// Beside the operands of each call: which parameter was set as the first, the second, and so on;
-  /// -1 behind the last one. The others have their default.
+  /// Parallel to the operands of each call: the parameter that was set first, second, and so on; -1
+  /// behind the last one. The others have their default.
   std::vector<int> argumentOrder;
   std::vector<Agent> agents;  ///< the first is selected when an engine starts
 
@@ -224,11 +224,11 @@ struct Model {
   /// cycle.
   std::size_t largestActivation = 0;
 
-  /// The expression that stands for a parameter not given: 0, false or the first element.
+  /// The expression for a parameter not given: 0, false or the first element.
   static int defaultExpression(Type type) { return type.enumeration + 1; }
 
-  /// The parameters that a call sets, in that order, by its first operand and the number of all
-  /// parameters.
+  /// The parameters that a call sets, in the order in which it sets them. `first` is its first
+  /// operand, `count` the number of all parameters.
   std::span<const int> setParameters(int first, std::size_t count) const {
     const auto order = std::span(argumentOrder).subspan(at(first), count);
     const auto end = std::find(order.begin(), order.end(), -1);

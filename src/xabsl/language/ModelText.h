@@ -10,23 +10,23 @@ namespace xabsl {
 /// The type of an expression.
 Type typeOf(const Model& model, int expression);
 
-/// An expression of a model as XABSL text on one line, with the parentheses that it needs and no
-/// others. Elements stand without their enumeration where the other side names it.
+/// An expression of a model as XABSL text on one line, with the necessary parentheses only.
+/// Elements are written without their enumeration if the other operand determines it.
 std::string expressionText(const Model& model, int expression);
 
 /// An action as XABSL text without the semicolon: `walk(x = @speed)`, `head.mode = look_at_ball`.
-/// Parameters stand in the order in which they were set; those not set are left out.
+/// Parameters are written in the order in which they were set; those not set are left out.
 std::string actionText(const Model& model, const Action& action);
 
-/// `1.5`, `true` or the name of the element with a value. `elements` has the values of the elements
-/// of each enumeration.
+/// A value as text: `1.5`, `true` or the name of the element with the value. `elements` has the
+/// values of the elements of each enumeration.
 std::string valueText(const Model& model, const std::vector<std::vector<double>>& elements,
                       Type type, double value);
 
 /// The name of the option or basic behavior that an action calls, or of the symbol that it sets.
 const std::string& targetName(const Model& model, const Action& action);
 
-/// The parameters of what an action calls; those of an assignment are none.
+/// The parameters of the option or basic behavior that an action calls; empty for an assignment.
 const std::vector<Parameter>& parametersOf(const Model& model, const Action& action);
 
 }  // namespace xabsl

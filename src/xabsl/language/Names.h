@@ -7,8 +7,8 @@
 
 namespace xabsl {
 
-/// Finds what was declared by its name; the values are indices into the lists of the Model. An
-/// input symbol, an output or internal symbol and a constant may have the same name.
+/// Tables of the declared names; the values are indices into the lists of the Model. An input
+/// symbol, an output or internal symbol and a constant may have the same name.
 struct Names {
   using Table = std::map<std::string_view, int>;
 

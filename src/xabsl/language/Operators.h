@@ -6,16 +6,17 @@
 
 namespace xabsl {
 
-/// How tightly an operator binds; what binds less than its surroundings ask for needs parentheses.
+/// The precedence of an operator, lowest first. An expression with a lower level than its context
+/// requires needs parentheses.
 enum Level { lowest, disjunction, conjunction, comparison, sum, product, sign, primary };
 
-/// How an operator is written.
+/// The spelling of an operator.
 struct OperatorSpelling {
   Operator operation;
   Level level;
   std::string_view text;
-  std::string_view element;  ///< of XML (report F.8, F.9); empty: it has none
-  std::string_view code;     ///< in intermediate code; empty: it has none
+  std::string_view element;  ///< XML element (report F.8, F.9); empty: none
+  std::string_view code;     ///< in intermediate code; empty: none
 };
 
 constexpr OperatorSpelling operatorSpellings[] = {
@@ -36,7 +37,7 @@ constexpr OperatorSpelling operatorSpellings[] = {
     {Operator::negate, sign, "-", "", ""},
     {Operator::logicalNot, sign, "!", "not", "!"}};
 
-/// The first operator that a condition holds for, or null.
+/// The first operator for which a condition holds, or null.
 template <typename Condition>
 constexpr const OperatorSpelling* findOperator(Condition condition) {
   for (const OperatorSpelling& spelling : operatorSpellings)
@@ -44,7 +45,7 @@ constexpr const OperatorSpelling* findOperator(Condition condition) {
   return nullptr;
 }
 
-/// How an operator is written. What is none binds most and has no text.
+/// The spelling of an operator; for other expressions one with the highest level and without text.
 constexpr OperatorSpelling spellingOf(Operator operation) {
   const OperatorSpelling* found =
       findOperator([&](const OperatorSpelling& one) { return one.operation == operation; });

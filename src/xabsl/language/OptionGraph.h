@@ -9,8 +9,9 @@ namespace xabsl {
 constexpr std::size_t maximalActivation = 100'000;
 constexpr int maximalPath = 200;
 
-/// Options must form a directed graph without cycles (report 3.8.1.1). Also bounds what one cycle
-/// of the engine executes: options that call one another several times multiply.
+/// Checks that options form a directed graph without cycles (report 3.8.1.1). Also limits the
+/// number of options executed in one cycle of the engine, which multiplies if options call others
+/// several times.
 void checkOptionGraph(Model& model, Reporter& reporter);
 
 }  // namespace xabsl

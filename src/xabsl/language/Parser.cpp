@@ -9,13 +9,14 @@ using namespace syntax;
 
 namespace {
 
-/// What people write who come from other languages.
+/// Keywords of other languages that users may write, with those of XABSL.
 constexpr std::pair<std::string_view, std::string_view> foreignWords[] = {
     {"and", "&&"},    {"or", "||"},          {"elseif", "else if"}, {"elif", "else if"},
     {"int", "float"}, {"double", "float"},   {"boolean", "bool"},   {"switch", "if"},
     {"while", "if"},  {"constant", "const"}, {"function", "input"}};
 
-/// What was probably meant by a token that stands where `expected` should, as the end of a message.
+/// A hint, as the end of a message, about the probable meaning of a token found instead of
+/// `expected`.
 std::string hintAt(const Token& token, const std::string& expected) {
   const auto meant = [](std::string_view word) {
     return "; did you mean '" + std::string(word) + "'?";
@@ -59,8 +60,9 @@ void Parser::parse() {
   header();
 }
 
-/// After an error, reads what still belongs to the option or namespace before it: states whose
-/// option a brace too many has closed, or symbols behind a broken title. Stops at a declaration.
+/// After an error, reads parts that still belong to the option or namespace before it: states of an
+/// option that was closed by an extra brace, or symbols behind a broken title. Stops at a
+/// declaration.
 void Parser::recover() {
   space_ = -1;
   skipToDeclaration();
@@ -79,7 +81,8 @@ void Parser::recover() {
   }
 }
 
-/// What belongs to no option or namespace has one whose word is misspelled. That was reported.
+/// Reads parts outside of any option or namespace, on the assumption that its keyword is
+/// misspelled. The error was reported already.
 void Parser::guess(bool space) {
   guesses_ = true;
   Declaration& guessed = space ? static_cast<Declaration&>(program_.namespaces.emplace_back())
@@ -93,7 +96,8 @@ void Parser::enter(Block block) {
   closed_ = false;
 }
 
-/// The title and so on of the first header that has some: only the file with the agents has one.
+/// Reads title, platform and software environment of the first header that has some; only the file
+/// with the agents has one.
 void Parser::header() {
   const auto value = [](std::string_view text, std::string_view key) -> std::string_view {
     const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c; };
@@ -137,13 +141,12 @@ Token Parser::take() {
   return std::exchange(token_, lexer_.next());
 }
 
-/// What a declaration that starts at the next token begins with. Until its name is read, it has
-/// none.
+/// The beginning of a declaration that starts at the next token; its name is still empty.
 Declaration Parser::begin() {
   return {{{}, token_.location}, documentation(token_), {token_.location, token_.location}, space_};
 }
 
-/// The documentation before a token that begins something: its comment is no loose one then.
+/// The documentation before a token that begins a declaration; marks its comment as documentation.
 std::string_view Parser::documentation(const Token& token) {
   if (!token.doc.data()) return {};
   std::vector<Comment>& comments = program_.files[at(file_)].comments;
@@ -172,12 +175,12 @@ void Parser::expectSemicolon() {
   failAt(end_, "expected ';', found the end of the line");
 }
 
-/// About what this compiler reads and the public compiler of XABSL 3.1 refuses.
+/// Warns about constructs that this compiler accepts and the public compiler of XABSL 3.1 refuses.
 void Parser::warnOfDialect(Location location, const std::string& what) {
   reporter_.warning(location, what + "; other XABSL compilers refuse this");
 }
 
-/// About the number that is the next token.
+/// Warns about a number with an exponent as the next token.
 void Parser::warnOfExponent() {
   if (token_.text.find_first_of("eE") != std::string_view::npos)
     warnOfDialect(token_.location, "a number with an exponent");
@@ -191,7 +194,7 @@ Name Parser::expectName(const std::string& what) {
   return {name.text, name.location};
 }
 
-/// People look for an option in the file of its name.
+/// Warns if a declaration is not in the file of its name, where people search for it.
 void Parser::warnFileName(const std::string& what, const Name& name) {
   std::string_view stem = reporter_.files()[at(name.location.file)];
   stem = stem.substr(stem.rfind('/') + 1);
@@ -208,7 +211,7 @@ bool Parser::atDeclaration() const {
          token_.is("include") || (token_.is("option") && !lexer_.isNext('('));
 }
 
-/// Whether a word stands here with which a part of a namespace begins, and no part of an option.
+/// Whether the next token is a word that begins a part of a namespace, but no part of an option.
 bool Parser::atSymbol() const {
   return token_.is("const") || token_.is("input") || token_.is("output") || token_.is("internal") ||
          (token_.is("behavior") && !lexer_.isNext('('));
@@ -218,7 +221,7 @@ bool Parser::atType() const {
   return token_.is("float") || token_.is("bool") || token_.is("enum");
 }
 
-/// Whether a word stands here with which a part of an option begins, and none of a namespace.
+/// Whether the next token is a word that begins a part of an option, but no part of a namespace.
 bool Parser::atCommonOrState() const {
   return atState() || token_.is("common");
 }
@@ -229,8 +232,8 @@ bool Parser::atParameter() const {
          (atType() && (lexer_.isNext('@') || (block_ == Block::option && !closed_)));
 }
 
-/// Also stops at what belongs to an option or a namespace, but not at parts of the other one while
-/// one of them is open.
+/// Also stops at parts of an option or a namespace, but not at parts of the one while the other is
+/// open.
 void Parser::skipToDeclaration() {
   const bool inSpace = block_ == Block::space && !closed_,
              inOption = block_ == Block::option && !closed_;
@@ -319,7 +322,7 @@ void Parser::option() {
   }
 }
 
-/// What the option that was read last has in its braces, and the closing one.
+/// Reads the body of the last option and its closing brace.
 void Parser::optionBody() {
   Option& option = program_.options.back();
   bool broken = false;

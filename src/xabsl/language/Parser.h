@@ -12,19 +12,19 @@
 
 namespace xabsl {
 
-/// Reads one file of XABSL text into the syntax tree. A syntax error is reported, and reading
-/// goes on with the next action, state, symbol or declaration. What is broken is kept as far as it
-/// was read, for editors: options, states and namespaces also without a name.
+/// Reads one file of XABSL text into the syntax tree. A syntax error is reported, and parsing
+/// continues with the next action, state, symbol or declaration. Broken declarations are kept as
+/// far as they were read, for editors; options, states and namespaces also without a name.
 class Parser {
  public:
-  /// Deeper nested expressions and decisions are refused.
+  /// Greatest nesting depth of expressions and decisions.
   static constexpr int maximalNesting = 200;
 
-  /// The program states whether it is of XABSL 3.0 or 3.1.
+  /// `program.dialect` selects XABSL 3.0 or 3.1.
   Parser(int file, std::string_view text, Reporter& reporter, syntax::Program& program);
 
-  /// Appends to the program; what the file includes and its comments go into its
-  /// syntax::File, which must be there.
+  /// Parses the file and appends its declarations to the program. Its includes and comments are
+  /// added to its syntax::File, which must exist.
   void parse();
 
  private:
@@ -61,7 +61,8 @@ class Parser {
   void skipToActions();
   void skipToNextAction();
 
-  /// Reads the rest of a declaration that has a name, and keeps it, also if the rest is broken.
+  /// Reads the rest of a declaration that has a name, and keeps the declaration even if the rest is
+  /// broken.
   template <typename Kept, typename Rest>
   void finish(std::vector<Kept>& list, Kept& declaration, Rest rest) {
     const auto keep = [&] {
@@ -109,7 +110,8 @@ class Parser {
   std::vector<syntax::Argument> arguments();
   syntax::DecisionPtr commonDecision();
   syntax::DecisionPtr commonChoice();
-  /// The arms of `if ... else if ...`, and whether an `else` follows that has no `if`.
+  /// Reads the arms of `if ... else if ...`. The second result is whether an `else` without `if`
+  /// follows.
   std::pair<syntax::DecisionPtr, bool> arms();
   syntax::DecisionPtr decision();
   syntax::Arm arm(std::string_view doc);
@@ -132,10 +134,11 @@ class Parser {
   int file_;
   int space_ = -1;  ///< the namespace that is being read
   int nesting_ = 0;
-  Block block_ = Block::none;  ///< what was read last, or is being read
-  bool closed_ = false;        ///< its closing brace was read
-  bool common_ = false;        ///< within a common decision
-  bool guesses_ = false;       ///< reads what belongs to no option or namespace; errors are silent
+  Block block_ = Block::none;  ///< the block that is being read, or was read last
+  bool closed_ = false;        ///< whether the block's closing brace was read
+  bool common_ = false;        ///< whether it is within a common decision
+  /// whether it reads parts without an option or namespace; errors are silent
+  bool guesses_ = false;
   bool hasNamespace_ = false;
 };
 

@@ -3,12 +3,12 @@
 
 #include "xabsl/language/Parser.h"
 
-/// The part of the parser for what nests: decision trees and expressions.
+/// The part of the parser for nested structures: decision trees and expressions.
 namespace xabsl {
 
 using namespace syntax;
 
-/// Counts how deep the parser is; fails where a file nests deeper than anybody writes.
+/// Counts the nesting depth of the parser; fails if it exceeds the limit.
 class Parser::Nesting {
  public:
   explicit Nesting(Parser& parser) : parser_(parser) {
@@ -33,8 +33,8 @@ DecisionPtr Parser::commonDecision() {
   return decision;
 }
 
-/// `if ... else if ...` without an end: the decision tree of the state follows. What stands in
-/// braces behind `else` goes on with the same chain.
+/// `if ... else if ...` without a final `else`: the decision tree of the state follows. A decision
+/// in braces behind `else` continues the same chain.
 DecisionPtr Parser::commonChoice() {
   const Nesting nesting(*this);
   if (accept("{")) {
@@ -132,14 +132,14 @@ ExpressionPtr Parser::expression() {
   return operation(Operator::conditional, location, std::move(operands));
 }
 
-/// The operator of a level that the next token is, or null.
+/// The operator of a level if the next token is one, or null.
 const OperatorSpelling* Parser::operatorOf(Level level) const {
   return findOperator(
       [&](const OperatorSpelling& one) { return one.level == level && token_.is(one.text); });
 }
 
-/// Operators of a level, between what binds tighter. `&&` and `||` have any number of operands,
-/// of all others the first one binds its operands first.
+/// Reads operators of a level between operands of higher levels. `&&` and `||` have any number of
+/// operands; all others are left-associative.
 ExpressionPtr Parser::binary(Level level) {
   if (level == Level::sign) return unary();
   const Level tighter = static_cast<Level>(level + 1);

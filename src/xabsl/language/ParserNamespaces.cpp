@@ -2,8 +2,8 @@
 
 #include "xabsl/language/Parser.h"
 
-/// The part of the parser for what namespaces declare: symbols, constants, enumerations and basic
-/// behaviors.
+/// The part of the parser for declarations in namespaces: symbols, constants, enumerations and
+/// basic behaviors.
 namespace xabsl {
 
 using namespace syntax;
@@ -31,7 +31,7 @@ void Parser::namespaceBlock() {
   }
 }
 
-/// What the namespace that was read last has in its braces, and the closing one.
+/// Reads the body of the last namespace and its closing brace.
 void Parser::namespaceBody() {
   Namespace& space = program_.namespaces.back();
   space_ = static_cast<int>(program_.namespaces.size()) - 1;

@@ -9,7 +9,7 @@
 
 namespace xabsl {
 
-/// Something that is declared, by its place in the lists of the model.
+/// A declared entity, by its index in the lists of the model.
 struct Entity {
   enum class Kind {
     space,
@@ -33,7 +33,7 @@ struct Entity {
   auto operator<=>(const Entity&) const = default;
 };
 
-/// A place where a name stands for something declared. The text is a view into the source.
+/// A place where a name refers to a declared entity. The text is a view into the source.
 struct Reference {
   Entity entity;
   std::string_view text;
@@ -41,7 +41,7 @@ struct Reference {
   bool declares = false;
 };
 
-/// Collects where names stand and what they stand for, for editors: the Analyzer adds the uses.
+/// Collects names with their places and entities, for editors; the Analyzer adds the uses.
 class References {
  public:
   /// Adds the declarations of a program.
@@ -49,7 +49,7 @@ class References {
 
   void add(const Entity& entity, std::string_view text, Location location);
 
-  /// A name with its owner's before it, `owner.name`, or without: adds both.
+  /// Adds a name, and the name of its owner if it is written before it, as in `owner.name`.
   void addQualified(const Entity& owner, const Entity& entity, std::string_view text,
                     Location location, std::size_t ownerLength);
 

@@ -58,7 +58,7 @@ void Reporter::add(Diagnostic::Severity severity, Location location, const std::
                        last ? message + " (no more are shown)" : message, line(location)}});
 }
 
-/// The line a message is about, unless it is longer than anybody would read.
+/// The line of a message's place; empty if it is too long to be read.
 std::string Reporter::line(Location location) {
   constexpr std::size_t longestLine = 300;
   std::string_view text = texts_[at(location.file)];

@@ -17,7 +17,7 @@ class Reporter {
   static constexpr std::size_t maximum = 100;
 
   /// Adds a file and returns its index in `files()`. If the text is given, messages show the line
-  /// they are about. The text must outlive the reporter.
+  /// of their place. The text must outlive the reporter.
   int addFile(const std::string& name, std::string_view text = {});
   const std::vector<std::string>& files() const { return files_; }
 
@@ -49,7 +49,8 @@ class Reporter {
   bool failed_ = false;
 };
 
-/// `; did you mean 'x'?` for the candidate that is spelled most like the name, or nothing.
+/// Builds `; did you mean 'x'?` with the candidate whose spelling is most similar to the name;
+/// empty if none is similar.
 class Suggestion {
  public:
   explicit Suggestion(std::string_view name) : name_(name) {}
@@ -60,7 +61,7 @@ class Suggestion {
   std::string_view name_;
   std::string_view best_;
   int offers_ = 0;
-  std::size_t bestDistance_ = 4;  ///< anything further away is no slip of the fingers
+  std::size_t bestDistance_ = 4;  ///< a larger distance is no typing error
 };
 
 }  // namespace xabsl

@@ -11,12 +11,12 @@
 
 namespace xabsl {
 
-// Far beyond any behavior; they bound memory and time whatever is in the files.
+// Limits far beyond any behavior, which bound memory and time for any content of files.
 constexpr std::size_t largestFile = 2u << 20;
 constexpr std::size_t largestSum = 8u << 20;
 constexpr std::size_t mostFiles = 10'000;
 
-/// Reads a regular file from disk, or returns the reason why it cannot. At most `largest` bytes.
+/// Reads a regular file of at most `largest` bytes from disk. Returns the reason if it fails.
 std::optional<std::string> readFile(const std::string& path, std::string& text,
                                     std::size_t largest = largestFile);
 
@@ -26,17 +26,17 @@ class SourceFiles {
   SourceFiles(const FileReader& read, syntax::Program& program, Reporter& reporter)
       : read_(read), program_(program), reporter_(reporter) {}
 
-  /// Turns the text of a file into that of a source in UTF-8, or returns why it cannot.
+  /// Converts the text of a file to a source in UTF-8. Returns the reason if it fails.
   using ToSource = std::optional<std::string> (*)(std::string& text);
 
-  /// The index of a file in the program, which reads it if it is new; -1 if it cannot be read. That
-  /// is reported at its inclusion, or of the file as a whole.
+  /// The index of a file in the program, after reading it if it is new; -1 if it cannot be read.
+  /// The error is reported at its inclusion, or for the file as a whole.
   int open(const std::string& path, ToSource toSource, const syntax::Include* include);
 
-  /// Reads a text that is no source, or returns why it cannot.
+  /// Reads a text that is no source. Returns the reason if it fails.
   std::optional<std::string> read(const std::string& path, std::string& text);
 
-  /// Reports that something cannot be included.
+  /// Reports that a file cannot be included.
   void refuse(const syntax::Include& include, const std::string& why);
 
  private:

@@ -10,25 +10,25 @@
 #include "xabsl/language/Diagnostic.h"
 #include "xabsl/language/Language.h"
 
-/// The syntax tree: what stands in the sources. Built by the Parser; the Analyzer adds what names
-/// stand for; read by writers and by editors. All texts are views into the sources,
-/// or into the pool of the Program.
+/// The syntax tree of the sources. Built by the Parser; the Analyzer adds the resolved names; read
+/// by writers and by editors. All texts are views into the sources, or into the pool of the
+/// Program.
 namespace xabsl::syntax {
 
-/// From the first letter of an element to behind its last one.
+/// From the first character of an element to behind its last one.
 struct Extent {
   Location begin;
   Location end;
 };
 
-/// A comment where it stands, with its marks (`//`, `/*`), for those that write sources anew.
+/// A comment with its place and marks (`//`, `/*`), for tools that rewrite sources.
 struct Comment {
   enum class Kind { line, block, documentation, header };
 
   Kind kind = Kind::line;
   std::string_view text;
   Extent extent;
-  bool documents = false;  ///< is the documentation of a declaration or a condition
+  bool documents = false;  ///< whether it documents a declaration or a condition
 };
 
 struct Name {
@@ -45,7 +45,7 @@ struct Argument {
   ExpressionPtr value;
 };
 
-/// One operator, literal, or name with all that stands below it.
+/// One operator, literal, or name with its subtree.
 struct Expression {
   enum class Kind {
     number,
@@ -61,7 +61,7 @@ struct Expression {
   };
 
   Kind kind = Kind::number;
-  Location location;      ///< of an operation: of its sign
+  Location location;      ///< of an operation: place of its sign
   Extent extent;          ///< without parentheses around it
   std::string_view name;  ///< of a name, a parameter or a call; the digits of a number
   double number = 0;      ///< of a number; 0 or 1 of a boolean
@@ -77,7 +77,8 @@ struct TypeName {
   Name enumeration;
 };
 
-/// What every declaration has: `doc` is the text of its documentation comment, without the marks.
+/// Common part of all declarations. `doc` is the text of the documentation comment, without the
+/// marks.
 struct Declaration {
   Name name;
   std::string_view doc;
@@ -92,7 +93,7 @@ struct Parameter : Declaration {
 };
 
 struct Enumeration : Declaration {
-  bool internal = false;  ///< not registered by the surroundings
+  bool internal = false;  ///< not registered by the C++ program
   std::vector<Name> elements;
 };
 
@@ -134,7 +135,7 @@ struct Arm {
   DecisionPtr decision;
 };
 
-/// A decision tree: goes to a state, stays, or asks the arms one after another.
+/// A decision tree: goes to a state, stays, or evaluates the arms one after another.
 struct Decision {
   enum class Kind { stay, go, choose };
 
@@ -186,7 +187,8 @@ struct Include {
   Location location;
 };
 
-/// One source: what it includes, in its order. What it declares has its index in the locations.
+/// One source with its includes, in their order. Its declarations have its index in their
+/// locations.
 struct File {
   std::string path;
   std::string_view text;
@@ -201,7 +203,7 @@ struct Header {
   std::string_view softwareEnvironment;
 };
 
-/// All that was declared, in all files.
+/// All declarations of all files.
 struct Program {
   Dialect dialect = Dialect::xabsl31;
   Header header;
@@ -215,7 +217,7 @@ struct Program {
   std::vector<Agent> agents;
   std::deque<std::string> pool;
 
-  /// Keeps a text that stands in no source as long as the program.
+  /// Stores a text that is in no source for the lifetime of the program.
   std::string_view keep(std::string text) { return pool.emplace_back(std::move(text)); }
 };
 

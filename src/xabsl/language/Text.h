@@ -14,7 +14,7 @@ constexpr bool isDigit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// Whether a name of XABSL may have it behind its first letter.
+/// Whether a name of XABSL may contain a character behind its first letter.
 constexpr bool isNamePart(char c) {
   return isLetter(c) || isDigit(c) || c == '_' || c == '.';
 }
@@ -23,7 +23,7 @@ constexpr bool isBlank(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f';
 }
 
-/// A text without the byte-order mark that other machines write before it.
+/// A text without the byte-order mark that some programs write before it.
 constexpr std::string_view withoutByteOrderMark(std::string_view text) {
   constexpr std::string_view mark = "\xEF\xBB\xBF";
   if (text.starts_with(mark)) text.remove_prefix(mark.size());
@@ -37,7 +37,7 @@ constexpr std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// `owner.name` without its owner; any other name as it is.
+/// Removes the owner from `owner.name`; any other name is unchanged.
 constexpr std::string_view withoutOwner(std::string_view name, std::string_view owner) {
   const bool owned = !owner.empty() && name.size() > owner.size() && name.starts_with(owner) &&
                      name[owner.size()] == '.';

@@ -11,11 +11,11 @@ namespace xabsl {
 /// disk.
 using VirtualFiles = std::map<std::string, std::string>;
 
-/// Stores the text of a file in its last argument, or returns the reason why it cannot.
+/// Stores the text of a file in its last argument. Returns the reason if it fails.
 using FileReader =
     std::function<std::optional<std::string>(const std::string& path, std::string& text)>;
 
-/// Reads from files in memory, which must stay as long as it is used.
+/// Reads from files in memory, which must outlive the reader.
 FileReader readerOf(const VirtualFiles& files);
 
 /// Reads from disk.

@@ -13,7 +13,7 @@ namespace xabsl {
 
 namespace {
 
-/// The states of one option and where their decisions lead.
+/// The graph of the states of one option and their transitions.
 class StateGraph {
  public:
   StateGraph(const Model& model, const Option& option)
@@ -119,8 +119,8 @@ class StateGraph {
   std::vector<std::vector<int>> targets_;  // per state, counted from the first of the option
 };
 
-/// What calls set and what they leave out. A team leaves much out on purpose: of each parameter it
-/// is reported once.
+/// The parameters that calls set and those that they leave out. Teams leave out many on purpose, so
+/// each parameter is reported once.
 class ParameterUse {
  public:
   ParameterUse(const Model& model, Reporter& reporter) : model_(model), reporter_(reporter) {
@@ -225,8 +225,8 @@ std::string listed(const std::vector<std::string>& names) {
                               : text;
 }
 
-/// One warning for all that is unused of one kind and namespace: libraries of symbols are made for
-/// more than one behavior.
+/// Reports one warning for all unused declarations of one kind and namespace, because libraries of
+/// symbols are made for more than one behavior.
 void warnOfUnused(const std::vector<Unused>& all, Reporter& reporter) {
   std::map<std::pair<int, std::string>, std::vector<const Unused*>> groups;
   for (const Unused& unused : all) groups[{unused.space, unused.kind}].push_back(&unused);
@@ -282,7 +282,8 @@ std::vector<Unused> unusedDeclarations(const Model& model) {
   return unused;
 }
 
-/// What a state certainly executes more than once in each cycle.
+/// Warns about options and basic behaviors that a state certainly executes more than once in each
+/// cycle.
 void warnOfRepeatedCalls(const Model& model, Reporter& reporter) {
   std::set<std::pair<Action::Kind, int>> called;
   const auto call = [&](Span actions, bool report) {

@@ -8,15 +8,15 @@
 
 namespace xabsl {
 
-/// Warns about what is valid, but hardly intended: states that are never entered or can only follow
-/// one another, what is called twice in a cycle, parameters that are not set, and what is declared
-/// and never used.
+/// Warns about valid, but probably unintended code: states that are never entered or can only
+/// follow one another, options and basic behaviors called twice in a cycle, parameters that are not
+/// set, and unused declarations.
 void warnAbout(const Model& model, Reporter& reporter);
 
-/// Whether each state of an option can be entered, counted from its first state.
+/// For each state of an option, in their order, whether it can be entered.
 std::vector<bool> enteredStates(const Model& model, const Option& option);
 
-/// A warning for each single declaration that is never used; warnAbout() groups and shortens them.
+/// A warning for each unused declaration; warnAbout() groups and shortens them.
 std::vector<Diagnostic> everythingUnused(const Model& model);
 
 }  // namespace xabsl

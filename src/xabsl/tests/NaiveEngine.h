@@ -14,12 +14,12 @@
 
 namespace xabsl::test {
 
-/// A second engine, which reads a model as directly as it can be read: everything is looked up, and
-/// nothing is prepared. The real one must do the same, and send a recorder the same. Runs in the
-/// surroundings of VirtualSymbols, whose call it is given.
+/// A second engine, which interprets a model as directly as possible, without any preparation. The
+/// real engine must behave in the same way and record the same events. Uses the functions of
+/// VirtualSymbols, whose call it is given.
 class NaiveEngine {
  public:
-  /// What teammates send one another: states by their indices.
+  /// The message of teammates to one another: states by their indices.
   struct Message {
     double priority = 0;
     std::set<int> executed, entering, options;
@@ -44,7 +44,7 @@ class NaiveEngine {
     for (std::size_t i = 0; i < model.symbols.size(); ++i) variables_[static_cast<int>(i)] = 0;
   }
 
-  /// What was executed, in its order.
+  /// Returns the executed steps, in their order.
   std::vector<Step> execute(std::int64_t now, const std::vector<Message>& heard) {
     steps_.clear();
     events_.clear();
@@ -60,7 +60,7 @@ class NaiveEngine {
     return steps_;
   }
 
-  /// Of the last cycle.
+  /// The events of the last cycle.
   const std::vector<TraceEvent>& events() const { return events_; }
   const Message& message() const { return message_; }
 
@@ -137,7 +137,7 @@ class NaiveEngine {
     steps_.push_back(step);
   }
 
-  /// As the engines of other teams decide it, with what has been heard.
+  /// Decides as the engines of other teams do, by the received messages.
   bool mayEnter(int option, int state) {
     const Cooperation& cooperation = in(model_.states, state).cooperation;
     if (cooperation.kind == Cooperation::Kind::none) return true;
@@ -316,7 +316,7 @@ class NaiveEngine {
   Message message_;
   std::vector<Message> heard_;
   std::set<int> entering_;        ///< the states announced in this cycle
-  std::map<int, int> announced_;  ///< of each state: in how many cycles before
+  std::map<int, int> announced_;  ///< of each state: number of consecutive cycles before
   std::map<int, double> variables_;
   std::map<int, Memory> memories_;
   std::set<int> wasActive_, isActive_;

@@ -5,8 +5,8 @@
 
 namespace xabsl::test {
 
-/// Writes behaviors at random, with all constructs of the language: every second option of them is
-/// called with parameters by the one above it.
+/// Writes random behaviors with all constructs of the language. Every second option is called with
+/// parameters by the option above it.
 class RandomBehavior {
  public:
   explicit RandomBehavior(unsigned seed) : random_(seed) {}

@@ -11,7 +11,7 @@
 
 namespace xabsl::test {
 
-/// The messages, one a line, without warnings.
+/// The messages, one per line, without warnings.
 inline std::string errors(const std::vector<Diagnostic>& diagnostics) {
   std::string text;
   for (const Diagnostic& diagnostic : diagnostics)
@@ -24,7 +24,7 @@ inline std::string errorsIn(const std::string& text) {
   return errors(compile("main.xabsl", {{"main.xabsl", text}}).diagnostics);
 }
 
-/// Compiles one file that must be sound.
+/// Compiles one file that must be free of errors.
 inline Behavior compiled(const std::string& text) {
   Compilation compilation = compile("main.xabsl", {{"main.xabsl", text}});
   EXPECT_EQ(errors(compilation.diagnostics), "");
@@ -52,8 +52,8 @@ agent main("Main", main);
 )";
 constexpr int symbolLines = 16;
 
-/// The errors in a file whose option `main` has one state with these parts, in lines counted from
-/// there.
+/// The errors in a file whose option `main` has one state with the given parts; lines are counted
+/// from the beginning of the parts.
 inline std::string errorsInMain(const std::string& text) {
   const std::string all = errorsIn(agentsText + text);
   std::string result;

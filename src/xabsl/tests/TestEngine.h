@@ -15,7 +15,7 @@ namespace xabsl::test {
 
 enum class Mode { slow, fast, turbo };
 
-/// A small world that every behavior of these tests shares: three inputs, three outputs, two basic
+/// A small world for all behaviors of these tests: three inputs, three outputs, two basic
 /// behaviors.
 struct World {
   double x = 0;
@@ -82,7 +82,7 @@ inline const std::string declarations = R"(
   agent main("Main", main);
 )";
 
-/// Runs the option `main` and those declared besides it.
+/// Runs the option `main` and the options declared with it.
 class EngineTest : public testing::Test {
  protected:
   void load(const std::string& options) {

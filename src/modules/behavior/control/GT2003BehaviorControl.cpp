@@ -15,7 +15,7 @@ const DebugKey sendTrace{"BehaviorControl/trace"};
 const DebugKey engineTime{"BehaviorControl/engine"};
 const DebugKey drawField{"BehaviorControl/potentialField"};
 
-/// The parameters of an option or a basic behavior; null if there is none of that name.
+/// The parameters of an option or a basic behavior; null if no element has that name.
 template <typename T>
 const std::vector<xabsl::Parameter>* parametersOf(const std::vector<T>& list,
                                                   const std::string& name) {
@@ -55,8 +55,8 @@ BehaviorState stateOf(const xabsl::Engine& engine, const std::vector<std::string
   return state;
 }
 
-/// Names files as the attachments of a log do, behavior/ and the path from the agents file's folder
-/// on: a trace is the same wherever the files lie.
+/// Names files as in the attachments of a log: behavior/ and the path relative to the agents file's
+/// folder, so that a trace does not depend on the location of the files.
 void nameAsInLogs(std::vector<std::string>& files) {
   if (files.empty()) return;
   const std::filesystem::path folder = std::filesystem::path{files.front()}.parent_path();
@@ -90,7 +90,7 @@ void GT2003BehaviorControl::load(const Behavior& behavior, const MotionNet& moti
   applied_ = {};
 }
 
-/// Executes the agent that the parameters name, from when the behavior or the name has changed.
+/// Selects the agent that the parameters name, after the behavior or the name has changed.
 void GT2003BehaviorControl::chooseAgent(Debug& debug) {
   if (agent_ == parameters.agent) return;
   agent_ = parameters.agent;
@@ -98,7 +98,7 @@ void GT2003BehaviorControl::chooseAgent(Debug& debug) {
   if (!engine_->selectAgent(agent)) debug.warn("the behavior has no agent " + agent);
 }
 
-/// Applies what a person wants the engine to execute, once per request.
+/// Applies a person's request to the engine, once per request.
 void GT2003BehaviorControl::apply(const BehaviorControlRequest& control, Debug& debug) {
   if (control == applied_) return;
   const bool otherRoot = control.root != applied_.root ||
@@ -121,7 +121,7 @@ void GT2003BehaviorControl::apply(const BehaviorControlRequest& control, Debug& 
   if (!done) debug.warn("the behavior has no " + control.root + " with these parameters");
 }
 
-/// What the trace is about comes first, once; then each cycle by itself.
+/// Records the description of the traced behavior once, then each cycle separately.
 void GT2003BehaviorControl::execute(Time now, const BehaviorControlRequest& control, Debug& debug) {
   chooseAgent(debug);
   apply(control, debug);

@@ -15,10 +15,10 @@
 
 namespace gt {
 
-/// Solution *GT2003* of BehaviorControl: executes a behavior written in XABSL (report 3.8). What
-/// the behavior may ask and say is declared in behavior/; from there SoccerSymbols.h is generated,
-/// with a function for each symbol and a class for each basic behavior, which SymbolSources.h and
-/// BasicBehaviors.h implement.
+/// Solution *GT2003* of BehaviorControl: executes a behavior written in XABSL (report 3.8). The
+/// input and output symbols of the behavior are declared in behavior/. From them SoccerSymbols.h is
+/// generated, with a function for each symbol and a class for each basic behavior, which
+/// SymbolSources.h and BasicBehaviors.h implement.
 class GT2003BehaviorControl {
  public:
   struct Parameters {
@@ -27,9 +27,9 @@ class GT2003BehaviorControl {
     Tactics::Parameters tactics;
 
     static constexpr auto fields() {
-      return Fields{
-          field<&Parameters::agent>("of the behavior, which is executed; empty: its first one"),
-          field<&Parameters::movement>(), field<&Parameters::tactics>()};
+      return Fields{field<&Parameters::agent>(
+                        "name of the agent that is executed; empty: the behavior's first one"),
+                    field<&Parameters::movement>(), field<&Parameters::tactics>()};
     }
   };
   Parameters parameters;
@@ -38,16 +38,16 @@ class GT2003BehaviorControl {
   GT2003BehaviorControl(const GT2003BehaviorControl&) = delete;  // the symbols refer to it
   GT2003BehaviorControl& operator=(const GT2003BehaviorControl&) = delete;
 
-  /// Provides what the behavior requests in this cycle and its message to its teammates; to stand
-  /// and to look at nothing without a behavior. It decides in each cycle, whether or not there is a
-  /// new image: how old the models are is its own matter.
+  /// Provides the requests of the behavior in this cycle and the message to the teammates. Without
+  /// a behavior the robot stands and looks at nothing. The behavior is executed in each cycle,
+  /// whether or not there is a new image; it must check the age of the models itself.
   void update(WorldState world, const Behavior& behavior, const BehaviorControlRequest& control,
               MotionRequest& motionRequest, HeadControlMode& headControlMode,
               LedRequest& ledRequest, SoundRequest& soundRequest, BehaviorTeamMessage& message,
               Debug& debug);
 
-  /// The symbols, basic behaviors and special actions for a behavior to be linked with: to check
-  /// one without a robot, too.
+  /// The symbols, basic behaviors and special actions with which a behavior is linked, also to
+  /// check one without a robot.
   const xabsl::Symbols& symbols(const MotionNet& motions);
   const std::optional<xabsl::Engine>& engine() const { return engine_; }
 
@@ -64,11 +64,11 @@ class GT2003BehaviorControl {
   Movement movement_{tactics_, motionRequest_, outputs_.manner, parameters.movement};
   BasicBehaviors basicBehaviors_{movement_};
   xabsl::Symbols symbols_;
-  std::shared_ptr<const xabsl::Model> loaded_;  // kept, so that no other gets its address
+  std::shared_ptr<const xabsl::Model> loaded_;  // kept, so that its address is not reused
   std::optional<xabsl::Engine> engine_;
   BehaviorControlRequest applied_;  ///< The request that was applied last.
   xabsl::TraceRecorder recorder_{10'000};
-  std::string agent_;  ///< That was chosen last.
+  std::string agent_;  ///< The agent chosen last.
   bool recording_ = false;
 };
 static_assert(complete<GT2003BehaviorControl::Parameters>);

@@ -9,9 +9,9 @@
 namespace gt {
 
 /// Solution *ObstacleAvoiderOnGreenField* of SensorBehaviorControl: a demonstration, in which the
-/// robot walks about and avoids everything that is not green (report 3, table of solutions). No
-/// percepts, no models: how high green reaches in the columns of the image decides how fast the
-/// robot walks and to which side it turns.
+/// robot walks about and avoids everything that is not green (report 3, table of solutions). It
+/// uses no percepts and no models: the height of the green in the columns of the image determines
+/// the walking speed and the side to which the robot turns.
 class ObstacleAvoiderOnGreenField {
  public:
   struct Parameters {
@@ -26,30 +26,32 @@ class ObstacleAvoiderOnGreenField {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field<&P::forward>(Unit::mmPerS, "where all is green", {0, 400}),
-          field<&P::turn>(Unit::degPerS, "where nothing ahead is", {0, 200}),
-          field<&P::steer>("how strongly it turns to the greener side", {0, 10}),
+          field<&P::forward>(Unit::mmPerS, "walking speed if everything ahead is green", {0, 400}),
+          field<&P::turn>(Unit::degPerS, "turning speed if the path is blocked", {0, 200}),
+          field<&P::steer>("gain of the turn to the greener side", {0, 10}),
           field<&P::blocked>(
-              "the way is blocked if green ahead reaches less far up, as a share of the image",
+              "height of the green ahead below which the path is blocked, as a share of the image",
               {0, 1}),
-          field<&P::free>("the way is free if it reaches farther", {0, 1}),
-          field<&P::headTilt>(Unit::deg, "at which the robot looks at the ground", {-88, 43}),
-          field<&P::gap>(Unit::pixel, "so much that is not green ends the green", {1, 100})};
+          field<&P::free>(
+              "height of the green ahead above which the path is free, as a share of the image",
+              {0, 1}),
+          field<&P::headTilt>(Unit::deg, "tilt of the head to look at the ground", {-88, 43}),
+          field<&P::gap>(Unit::pixel, "length of a gap that ends the green in a column", {1, 100})};
     }
   };
   Parameters parameters;
 
-  /// Provides a walk ahead or a turn, and that the robot looks at the ground before it; to stand
-  /// without an image.
+  /// Provides a walk ahead or a turn, and a head request to look at the ground ahead. Without an
+  /// image the robot stands.
   void update(const Image& image, const ColorTable64& colors, const FrameInfo& frame,
               MotionRequest& motion, HeadMotionRequest& head, LedRequest& leds, SoundRequest& sound,
               Debug& debug);
 
  private:
-  /// How high green reaches from the bottom of a column, as a share of the image.
+  /// The height of the green from the bottom of a column, as a share of the image.
   double greenIn(const Image& image, const ColorTable64& colors, int x) const;
 
-  bool turnsLeft_ = true;  ///< Kept as long as the way is blocked.
+  bool turnsLeft_ = true;  ///< Kept as long as the path is blocked.
   bool blocked_ = false;
 };
 static_assert(complete<ObstacleAvoiderOnGreenField::Parameters>);

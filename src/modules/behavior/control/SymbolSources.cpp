@@ -6,7 +6,8 @@
 
 namespace gt {
 
-/// XABSL has words of its own (`initial`), so its elements have another ending than ours.
+/// The names of the elements in XABSL differ from ours, because some of ours are keywords of XABSL
+/// (`initial`).
 soccer::GameState SoccerInputs::gameState() const {
   switch (tactics_.game().state()) {
     case GameState::initial:
@@ -95,7 +96,8 @@ double SoccerInputs::obstaclesGap(double angle, double range) const {
   return nearestObstacle(tactics_.obstacles(), fromDegrees(angle), fromDegrees(range));
 }
 
-/// The tour is planned from where the robot is when it first asks for its beginning (report 4.2.1).
+/// The tour is planned from the robot's position at the first request of its first place (report
+/// 4.2.1).
 const Pose2D& SoccerInputs::target(double index) const {
   return tour_.at(static_cast<std::size_t>(std::max(0., index)), w());
 }

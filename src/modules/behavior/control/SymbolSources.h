@@ -11,8 +11,8 @@
 
 namespace gt {
 
-/// What the behavior may ask, computed from the state of the world. The functions are those that
-/// behavior/symbols/ declares, with the units given there: angles in degrees, as people write them.
+/// The input symbols of the behavior, computed from the state of the world. The functions are those
+/// declared in behavior/symbols/, with the units given there: mm, ms, and degrees for angles.
 class SoccerInputs final : public soccer::Inputs {
  public:
   /// The tactics must outlive this.
@@ -141,14 +141,15 @@ class SoccerInputs final : public soccer::Inputs {
   Vector2d towards(double index) const {
     return relative(w().self.pose, target(index).translation);
   }
-  /// Where the robot supports by the values of its team; the middle of the field without them.
+  /// The place of the supporter according to the learned values of its team (mm, on the field); the
+  /// middle of the field without values.
   Vector2d place() const;
-  /// Relative to the robot; far away if there is none.
+  /// The nearest player, relative to the robot (mm); far away if there is none.
   Vector2d nearest(const std::vector<LocatedPlayer>& players) const;
-  /// Relative to the robot.
+  /// The middles of the goals, relative to the robot (mm).
   Vector2d opponentGoal() const { return relative(w().self.pose, {w().field.xGroundline, 0}); }
   Vector2d ownGoal() const { return relative(w().self.pose, {-w().field.xGroundline, 0}); }
-  /// On the field.
+  /// The vector from the known ball to the own goal, in the field's axes (mm).
   Vector2d ballToOwnGoal() const {
     return Vector2d{-w().field.xGroundline, 0} - tactics_.knownBallOnField();
   }
@@ -158,7 +159,7 @@ class SoccerInputs final : public soccer::Inputs {
   mutable SpecialAction action_{};  ///< The one being executed, looked up when its name changes.
 };
 
-/// What the behavior sets besides motions of the body.
+/// The output symbols of the behavior, except motions of the body.
 struct SoccerOutputs final : soccer::Outputs {
   HeadControlMode head;
   LedRequest leds;

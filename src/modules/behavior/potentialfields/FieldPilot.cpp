@@ -10,15 +10,15 @@
 namespace gt {
 namespace {
 
-/// So many steps are compared: a path that gets nowhere in them is stuck.
+/// Number of steps of the path in which progress is checked: a path without progress is stuck.
 constexpr std::size_t watchedSteps = 15;
-/// Share of these steps' length that it has to come forward.
+/// Least progress, as a share of these steps' length.
 constexpr double leastProgress = 0.2;
-/// How much of a step's direction is that of the step before: where a repulsion ends, the path
-/// would else jump to and fro.
+/// Weight of the previous step's direction in that of a step. Without it the path would oscillate
+/// where a repulsion ends.
 constexpr double inertia = 0.5;
 
-/// A rectangle of cells on the field that holds all objects.
+/// A rectangle of cells on the field that contains all objects.
 struct Grid {
   Vector2d origin = Vector2d::Zero();
   double cell = 1;
@@ -98,7 +98,8 @@ void FieldPilot::walkAhead(const Vector2d& from) {
   }
 }
 
-// Dijkstra's algorithm from the target, so that each cell knows the next one on its way there.
+// Dijkstra's algorithm from the target, which yields for each cell the next one on the path to the
+// target.
 void FieldPilot::planByWave(const Vector2d& from) {
   const Grid grid{scene_, from, parameters_.cell};
   const PotentialField repulsion = part(PotentialEffect::repel);

@@ -6,10 +6,10 @@
 
 namespace gt {
 
-/// Follows potential fields (report 3.8.3). A robot that only follows the force at its place ends
-/// in the first local minimum. So the pilot walks the path ahead in thought. Where that gets stuck,
-/// it plans by a wave front: the cheapest path to the target on a grid, on which repulsion makes
-/// the way longer; the resulting potential has no other minimum than the target.
+/// Follows potential fields (report 3.8.3). A robot that only follows the force at its position
+/// ends in the first local minimum. Therefore the pilot simulates the path ahead. If that gets
+/// stuck, it plans by a wave front: the cheapest path to the target on a grid on which repulsion
+/// adds to the cost. The resulting potential has no other minimum than the target.
 class FieldPilot {
  public:
   struct Parameters {
@@ -23,20 +23,24 @@ class FieldPilot {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field<&P::step>(Unit::mm, "between two points of the path ahead", {5, 500}),
-          field<&P::arrival>(Unit::mm, "nearer to the target the path has arrived", {1, 1000}),
+          field<&P::step>(Unit::mm, "distance between two points of the path ahead", {5, 500}),
+          field<&P::arrival>(Unit::mm, "distance from the target at which the path ends",
+                             {1, 1000}),
           field<&P::longest>(Unit::mm, "longest path", {100, 1e5}),
-          field<&P::cell>(Unit::mm, "size of the cells on which a way out is planned", {20, 1000}),
+          field<&P::cell>(Unit::mm,
+                          "size of the cells on which a path out of a local minimum is planned",
+                          {20, 1000}),
           field<&P::repulsionCost>(
-              "by which a way gets longer for each unit of repulsion on it; 0: local minima are "
-              "not left",
+              "increase of the cost of a path for each unit of repulsion on it; 0: local minima "
+              "are not left",
               {0, 100}),
-          field<&P::lookAhead>(Unit::mm, "the robot heads for this point of the path", {1, 1000})};
+          field<&P::lookAhead>(
+              Unit::mm, "distance of the point of the path for which the robot heads", {1, 1000})};
     }
   };
 
-  /// Plans the path from a place to the target of the scene. Returns the force by which the robot
-  /// moves there: as strong as at the place, and along the path.
+  /// Plans the path from a place (mm, on the field) to the target of the scene. Returns the force
+  /// for the robot's motion: its strength is that at the place, its direction that of the path.
   Vector2d update(const PotentialField& field, PotentialScene scene, const Vector2d& from,
                   const Parameters& parameters);
 
@@ -50,12 +54,13 @@ class FieldPilot {
   void draw(Canvas& canvas, const FieldDimensions& field) const;
 
  private:
-  /// Whether nothing keeps the robot off the target itself; else it waits where the forces balance.
+  /// Whether the robot can reach the target itself; otherwise it waits where the forces are
+  /// balanced.
   bool reachable() const;
   void walkAhead(const Vector2d& from);
   void planByWave(const Vector2d& from);
   Vector2d onPath() const;
-  /// The part of the field with an effect.
+  /// The rules of the field with an effect.
   PotentialField part(PotentialEffect effect) const;
 
   PotentialField field_;

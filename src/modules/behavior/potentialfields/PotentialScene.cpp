@@ -19,7 +19,7 @@ PotentialShape rectangle(double left, double right, double bottom, double top) {
   return {{{left, bottom}, {right, bottom}, {right, top}, {left, top}}, true};
 }
 
-/// Walls, goals and the own penalty area.
+/// Adds walls, goals and the own penalty area.
 void addField(const FieldDimensions& field, PotentialScene& scene) {
   scene.objects[PotentialObject::ownPenaltyArea] = {
       rectangle(-field.xGoalBack, -field.xPenaltyArea, -field.yPenaltyArea, field.yPenaltyArea)};

@@ -25,7 +25,7 @@ struct PerformSpecialAction final : Skill<soccer::PerformSpecialAction> {
   void execute() override { movement_.perform(id); }
 };
 
-/// One of each.
+/// One instance of each basic behavior.
 struct BasicBehaviors {
   explicit BasicBehaviors(Movement& movement)
       : stand{movement},

@@ -3,7 +3,7 @@
 
 namespace gt {
 
-// The continuous basic behaviors (report 3.8.3): what they pursue and avoid is put together in
+// The continuous basic behaviors (report 3.8.3). Their potential fields are composed in
 // config/potentialfields.cfg.
 
 /// Walks to a pose on the field.
@@ -12,8 +12,8 @@ struct GoToPointContinuously final : Skill<soccer::GoToPointContinuously> {
   void execute() override;
 };
 
-/// Walks behind the ball so that the robot faces a direction on the field and has the ball at
-/// (x, y); the last part as go_to_ball does.
+/// Walks behind the ball so that the robot faces a direction on the field and the ball is at (x, y)
+/// relative to the robot. The last part is executed by go_to_ball.
 struct GoToBallContinuously final : Skill<soccer::GoToBallContinuously> {
   GoToBallContinuously(Movement& movement, soccer::GoToBall& lastPart)
       : Skill{movement}, lastPart_{lastPart} {}
@@ -23,7 +23,7 @@ struct GoToBallContinuously final : Skill<soccer::GoToBallContinuously> {
   soccer::GoToBall& lastPart_;
 };
 
-/// Walks to a place before the middle of the own goal, and faces the opponent's.
+/// Walks to a place in front of the middle of the own goal and faces the opponent's goal.
 struct GoToOwnGoal final : Skill<soccer::GoToOwnGoal> {
   using Skill::Skill;
   void execute() override;

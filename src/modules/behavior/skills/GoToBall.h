@@ -3,8 +3,9 @@
 
 namespace gt {
 
-/// Walks behind the ball so that it lies at (x, y) before the robot, which then faces a direction
-/// on the field; goes round the ball where it would else push it in the wrong direction.
+/// Walks behind the ball so that the ball is at (x, y) relative to the robot and the robot faces a
+/// direction on the field. Walks around the ball if it would otherwise push it in the wrong
+/// direction.
 struct GoToBall final : Skill<soccer::GoToBall> {
   using Skill::Skill;
   void execute() override;

@@ -16,7 +16,7 @@ void GoToPoint::execute() {
   const double turn = isFar ? angleOf(offset) : finalTurn;
   // Without a speed, as from a person who does not care (report I.5.3: xbb), as fast as it can.
   const double limit = maxSpeed > 0 ? maxSpeed : movement_.parameters().maxForward;
-  // Far away the robot walks where it looks, so it turns first.
+  // Far away the robot walks in the direction that it faces, so it turns first.
   const double speed =
       isFar ? limit * std::max(0.2, std::cos(std::min(std::abs(turn), pi / 2))) : limit;
   if (isFar) return movement_.approachAvoiding(offset, turn, speed);

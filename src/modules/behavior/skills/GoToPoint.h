@@ -3,8 +3,8 @@
 
 namespace gt {
 
-/// Walks to a pose on the field, past obstacles. The nearer it comes the slower; far away it walks
-/// ahead. Once it has arrived, a small drift of its pose does not set it going again.
+/// Walks to a pose on the field, past obstacles. It slows down near the pose; far away it walks
+/// ahead. After it has arrived, a small drift of the robot's pose does not make it walk again.
 class GoToPoint final : public Skill<soccer::GoToPoint> {
  public:
   using Skill::Skill;

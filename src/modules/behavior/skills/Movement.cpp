@@ -9,7 +9,7 @@
 namespace gt {
 namespace {
 
-/// What a robot keeps off around its own penalty area: ahead of `front`, or beside it.
+/// The area that a robot avoids: its own penalty area with a margin (mm, on the field).
 struct KeptArea {
   double front, side;  // mm
 
@@ -64,7 +64,8 @@ Vector2d Movement::keptFromPushing(const Vector2d& speed) {
     back_ -= passed;
     return -parameters_.backSpeed * pushing_.normalized();
   }
-  // As a referee counts: who was free for half as long as it pushed pushes no more.
+  // Counts as a referee does: a push has ended after the robot was free for half as long as it
+  // pushed.
   const bool isHeldUp = world.frame.time - world.collision.lastCollision < felt;
   pushed_ = std::max(0., pushed_ + (isHeldUp ? passed : -2 * passed));
   if (pushed_ == 0) pushing_.setZero();
@@ -124,8 +125,9 @@ void Movement::approach(const Vector2d& wanted, double turn, double maxSpeed) {
 }
 
 Vector2d Movement::keptFromPlayers(Vector2d speed) const {
-  // Walking into a robot moves it as little as oneself, and is a foul: what remains of the speed is
-  // what leads past it. Who gives way steps back by as much in a second as it is too near.
+  // Walking into a robot moves neither of both and is a foul: the component of the speed that
+  // points at a near robot is removed. A robot that gives way steps back by the missing distance in
+  // a second.
   const double keptOff = manner_.giveWay ? parameters_.giveWay : parameters_.keepOff;
   const double leastRoom = std::min(0., parameters_.keepOff - keptOff);
   const WorldState& world = tactics_.world();
@@ -148,7 +150,7 @@ void Movement::approachAvoiding(const Vector2d& wanted, double turn, double maxS
   const double heading = angleOf(offset), needed = std::min(offset.norm(), parameters_.freeWay);
   // Move freely.
   if (corridor(obstacles, heading, width) >= needed) return approach(offset, turn, maxSpeed);
-  // Avoid the obstacle: turn to where there is a way, and walk as fast as there is room.
+  // Avoid the obstacle: turn to a free direction, and walk as fast as the room allows.
   auto way = freeDirection(obstacles, heading, width, needed);
   if (!way) way = freeDirection(obstacles, heading, width, needed / 2);
   const double room = corridor(obstacles, 0, width) - parameters_.stopBefore;
@@ -176,7 +178,7 @@ void Movement::followField(const PotentialField& field, const Pose2D& target, do
   const bool near = (target.translation - self.translation).norm() < parameters_.faceTarget;
   const double turn = near ? finalTurn : angleOf(ahead);
   double speed = fastest * std::min(1., strength);
-  // Far away the robot walks where it looks, so it turns first.
+  // Far away the robot walks in the direction that it faces, so it turns first.
   if (!near) speed *= std::max(0.2, std::cos(std::min(std::abs(turn), pi / 2)));
   const double over = std::abs(ahead.y()) * speed / maxSideways();
   walk(ahead * speed / std::max(1., over), parameters_.turning * turn);

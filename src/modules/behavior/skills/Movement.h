@@ -6,15 +6,15 @@
 
 namespace gt {
 
-/// How all skills walk, as the behavior's outputs say.
+/// Options of walking for all skills, set by the behavior's outputs.
 struct WalkManner {
   WalkType type = WalkType::normal;
   bool keepOffOwnArea = false;
-  bool giveWay = false;    ///< Step back from whoever is near.
-  bool endPushes = false;  ///< Step back from what holds the legs up for long.
+  bool giveWay = false;    ///< Step back from near robots.
+  bool endPushes = false;  ///< Step back if the legs are held up for long.
 };
 
-/// Where basic behaviors want to go, made a motion request within the robot's limits.
+/// Converts the targets of basic behaviors to motion requests within the robot's limits.
 class Movement {
  public:
   struct Parameters {
@@ -45,64 +45,71 @@ class Movement {
     static constexpr auto fields() {
       return Fields{
           field<&Parameters::maxForward>(
-              Unit::mmPerS, "fastest walk ahead, of which a walk type does what it can", {10, 400}),
-          field<&Parameters::nearForward>(Unit::mmPerS, "fastest walk ahead to a near ball",
+              Unit::mmPerS, "greatest requested speed ahead, which a walk type may limit further",
+              {10, 400}),
+          field<&Parameters::nearForward>(Unit::mmPerS, "greatest speed ahead to a near ball",
                                           {10, 400}),
-          field<&Parameters::maxSideways>(Unit::mmPerS, "fastest walk sideways and back",
+          field<&Parameters::maxSideways>(Unit::mmPerS, "greatest speed sideways and back",
                                           {10, 400}),
-          field<&Parameters::maxTurn>(Unit::degPerS, "fastest turn", {10, 200}),
+          field<&Parameters::maxTurn>(Unit::degPerS, "greatest turning speed", {10, 200}),
           field<&Parameters::fastSideways>(
-              Unit::mmPerS, "fastest walk sideways and back with the walk type fast", {10, 400}),
-          field<&Parameters::fastTurn>(Unit::degPerS, "fastest turn with the walk type fast",
-                                       {10, 200}),
+              Unit::mmPerS, "greatest speed sideways and back with the walk type fast", {10, 400}),
+          field<&Parameters::fastTurn>(Unit::degPerS,
+                                       "greatest turning speed with the walk type fast", {10, 200}),
           field<&Parameters::slowest>(Unit::mmPerS, "speed at which the robot arrives at a place",
                                       {0, 400}),
           field<&Parameters::braking>(
-              Unit::perS, "share of the distance to a place that it walks in a second, beside that",
+              Unit::perS,
+              "increase of the speed with the distance from the target place, in addition to "
+              "`slowest`",
               {0, 10}),
           field<&Parameters::turning>(
-              Unit::perS, "share of the angle to its direction that it turns in a second", {0, 10}),
-          field<&Parameters::aroundBall>(Unit::mm, "radius of the path round the ball",
+              Unit::perS, "turning speed for each unit of the angle to the target direction",
+              {0, 10}),
+          field<&Parameters::aroundBall>(Unit::mm, "radius of the path around the ball",
                                          {100, 1000}),
           field<&Parameters::clearance>(
               Unit::mm, "width of a corridor through which the robot walks", {100, 1000}),
           field<&Parameters::freeWay>(
-              Unit::mm, "obstacles that are farther away in the walking direction do not count",
+              Unit::mm, "distance in the walking direction beyond which obstacles do not count",
               {100, 2000}),
           field<&Parameters::keepOff>(
               Unit::mm, "least distance from the robot's middle to that of another robot",
               {0, 1000}),
           field<&Parameters::giveWay>(
-              Unit::mm,
-              "least distance to another robot while it gives way: it steps back from who is nearer",
+              Unit::mm, "distance to another robot below which a robot that gives way steps back",
               {0, 1000}),
           field<&Parameters::pushTime>(
               Unit::ms,
-              "for how long something holds its legs up until it steps back, if it ends pushes",
+              "time for which the legs are held up until the robot steps back, if `endPushes`",
               {0, 10'000}),
-          field<&Parameters::backTime>(Unit::ms, "for how long it steps back", {0, 10'000}),
-          field<&Parameters::backSpeed>(Unit::mmPerS, "how fast it steps back", {0, 400}),
+          field<&Parameters::backTime>(Unit::ms, "time of stepping back after a push", {0, 10'000}),
+          field<&Parameters::backSpeed>(Unit::mmPerS, "speed of stepping back after a push",
+                                        {0, 400}),
           field<&Parameters::stopBefore>(
-              Unit::mm, "distance from the robot's middle to an obstacle at which it stops",
+              Unit::mm, "distance from the robot's middle to an obstacle at which the robot stops",
               {0, 1000}),
           field<&Parameters::faceTarget>(
               Unit::mm,
-              "nearer to the target of a potential field the robot turns as it shall stand there",
+              "distance from the target of a potential field below which the robot turns to its "
+              "final direction",
               {0, 1e4}),
           field<&Parameters::offOwnArea>(
               Unit::mm,
-              "least distance from the robot's middle to the own penalty area, if it keeps off "
-              "that",
+              "least distance from the robot's middle to the own penalty area, if `keepOffOwnArea`",
               {0, 500}),
           field<&Parameters::pastOwnArea>(
-              Unit::mm, "further distance at which it walks past the area", {0, 500}),
-          field<&Parameters::leaveOwnArea>(Unit::mmPerS, "least speed at which it leaves the area",
-                                           {0, 400}),
+              Unit::mm,
+              "distance added to `offOwnArea` while the robot walks around the own penalty area",
+              {0, 500}),
+          field<&Parameters::leaveOwnArea>(
+              Unit::mmPerS, "least speed at which the robot leaves the own penalty area", {0, 400}),
           field<&Parameters::pilot>()};
     }
   };
 
-  /// All must outlive this. The walk type is the one that will be requested: it limits the speed.
+  /// All arguments must outlive this. The walk type in `manner` is the one that will be requested:
+  /// it limits the speed.
   Movement(const Tactics& tactics, MotionRequest& request, const WalkManner& manner,
            const Parameters& parameters)
       : tactics_{tactics}, request_{request}, manner_{manner}, parameters_{parameters} {}
@@ -116,44 +123,46 @@ class Movement {
     request(MotionType::specialAction);
     request_.specialAction = motionOf(tactics_.world().motions, action).name;
   }
-  /// Speeds in mm/s and rad/s. Not into the own penalty area, if the robot keeps off that, and out
-  /// of it if it is there.
+  /// Walks with a speed relative to the robot (mm/s, rad/s). If `keepOffOwnArea`, the robot does
+  /// not enter the own penalty area, and leaves it if it is there.
   void walk(const Vector2d& speed, double turn);
-  /// Walks by an offset in mm and turns by an angle, ever slower. Around the own penalty area, if
-  /// it keeps off that; if the place lies there, to the area's border.
+  /// Walks to an offset (mm) and turns by an angle (rad), relative to the robot, and slows down on
+  /// arrival. `maxSpeed` in mm/s. If `keepOffOwnArea`, it walks around the own penalty area, or to
+  /// the area's border if the place lies inside.
   void approach(const Vector2d& offset, double turn, double maxSpeed);
-  /// The same from far away: past obstacles on the way, for which the robot faces the direction in
-  /// which it walks (report 4.3).
+  /// Like approach, from far away: past obstacles on the path, for which the robot faces the
+  /// direction in which it walks (report 4.3).
   void approachAvoiding(const Vector2d& offset, double turn, double maxSpeed);
-  /// Walks to a pose on the field by a potential field (report 3.8.3), where it walks where it
-  /// looks until it is near. As fast as it can with a speed of 0.
+  /// Walks to a pose on the field by a potential field (report 3.8.3). The robot faces the walking
+  /// direction until it is near. `maxSpeed` in mm/s; 0: as fast as possible.
   void followField(const PotentialField& field, const Pose2D& target, double maxSpeed);
 
-  /// A cycle begins.
+  /// Begins a cycle.
   void begin() {
     piloted_ = false;
     stand();
   }
-  /// Who followed a potential field in this cycle; null if nobody did.
+  /// The pilot that followed a potential field in this cycle; null if none was followed.
   const FieldPilot* pilot() const { return piloted_ ? &pilot_ : nullptr; }
 
  private:
   /// The limits of the walk type, in mm/s and rad/s.
   double maxSideways() const;
   double maxTurn() const;
-  /// A speed that does not lead into another robot, or leads away from who is near if this one
-  /// gives way.
+  /// Changes a speed (mm/s, relative to the robot) so that it does not lead into another robot, or,
+  /// if the robot gives way, leads away from near ones.
   Vector2d keptFromPlayers(Vector2d speed) const;
-  /// A speed that leads back from what has held the legs up for long: against where the robot
-  /// wanted to go meanwhile.
+  /// Replaces a speed (mm/s) while the robot steps back, after its legs were held up for long:
+  /// opposite to the mean speed requested during the push.
   Vector2d keptFromPushing(const Vector2d& speed);
-  /// A speed that does not lead into the own penalty area, and leads out of it.
+  /// Changes a speed (mm/s, relative to the robot) so that it does not lead into the own penalty
+  /// area, and leads out of it.
   Vector2d keptFromOwnArea(const Vector2d& speed) const;
-  /// The offset to a place, or to what has to be passed before it on the way around the own penalty
-  /// area.
+  /// The offset (mm, relative to the robot) to a place, or to the point that must be passed before
+  /// it on the path around the own penalty area.
   Vector2d pastOwnArea(const Vector2d& offset) const;
 
-  /// A request of a type and nothing else; keeps the memory of the name.
+  /// Requests a type of motion and resets all else; keeps the memory allocated for the name.
   void request(MotionType type) {
     static const MotionRequest nothing;
     request_ = nothing;
@@ -167,7 +176,8 @@ class Movement {
   FieldPilot pilot_;
   bool piloted_ = false;
   Time walked_ = never();
-  double pushed_ = 0, back_ = 0;         // ms: of the push until now, of the steps back to come
+  // ms: duration of the push, remaining time of stepping back
+  double pushed_ = 0, back_ = 0;
   Vector2d pushing_ = Vector2d::Zero();  // mm/s: the mean speed wanted during the push
 };
 static_assert(complete<Movement::Parameters>);

@@ -4,9 +4,9 @@
 
 namespace gt {
 
-/// A skill that the behavior's options end in (report 3.8.2, 3.8.3); its parameters are members of
-/// the class that is generated from behavior/skills/basic_behaviors.xabsl, angles in degrees, as
-/// people write them in XABSL.
+/// A basic behavior, called by the behavior's options (report 3.8.2, 3.8.3). Its parameters are
+/// members of the class that is generated from behavior/skills/basic_behaviors.xabsl; angles are in
+/// degrees, as in XABSL.
 template <typename Declared>
 class Skill : public Declared {
  public:

@@ -3,10 +3,10 @@
 
 namespace gt {
 
-/// A special action as XABSL's enumeration special_action has it: its index in MotionNet::motions.
+/// A special action, as in XABSL's enumeration special_action: the index in MotionNet::motions.
 enum class SpecialAction : int {};
 
-/// The motion of a special action; one without a name for none, and where there is none.
+/// The motion of a special action; a motion without a name if the index is out of range.
 inline const MotionNet::Motion& motionOf(const MotionNet& net, SpecialAction action) {
   static const MotionNet::Motion none;
   const auto index = static_cast<std::size_t>(action);

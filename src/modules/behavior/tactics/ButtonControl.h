@@ -4,9 +4,9 @@
 
 namespace gt {
 
-/// The state of the game: what the game manager sends, or without one what a hand says by the
-/// robot's buttons and tail (report B.2.3). The game manager leads from the first state other than
-/// initial on.
+/// The state of the game, sent by the game manager or, without one, set by hand with the robot's
+/// buttons and tail (report B.2.3). The game manager takes over with the first state other than
+/// initial.
 class ButtonControl {
  public:
   struct Parameters {
@@ -18,9 +18,11 @@ class ButtonControl {
       return Fields{
           field<&P::longPress>(
               Unit::ms,
-              "pressing the back switch longer stops the game; shorter begins what is next",
+              "time of pressing the back switch above which the game stops; less starts the next "
+              "state",
               {0, 10000}),
-          field<&P::tailPush>(Unit::deg, "so far aside the tail is pushed by hand", {1, 22})};
+          field<&P::tailPush>(Unit::deg, "angle of the tail above which it is pushed aside by hand",
+                              {1, 22})};
     }
   };
 

@@ -74,7 +74,8 @@ void KickChoice::update(const WorldState& world, const ObstaclesModel& obstacles
   }
 }
 
-/// Who is far from the ball changes its path but little by another plan.
+/// Returns whether a new plan is needed. Far from the ball another plan changes the robot's path
+/// only little.
 bool KickChoice::needsPlan() const {
   const double distance = ball_.norm();
   const double lasts = 1000 * p_.lasts * (distance - p_.nearBall) / p_.walkSpeed;  // ms
@@ -144,7 +145,7 @@ void KickChoice::look(const ObstaclesModel& obstacles) {
   }
 }
 
-/// How wide a goal is seen from a place: at most as wide as counts.
+/// The angle of a goal as seen from a point, limited to `widestGoal`.
 KickChoice::GoalAngle KickChoice::angleOfGoal(double x, const Vector2d& end) const {
   const double yGoal = world_->field.yGoal;
   const Vector2d left = Vector2d{x, yGoal} - end, right = Vector2d{x, -yGoal} - end;
@@ -173,8 +174,8 @@ Vector2d KickChoice::clampedToField(const Vector2d& place) const {
           std::clamp(place.y(), -field.ySideline, field.ySideline)};
 }
 
-/// A ball that rolls in a direction, farther and farther: into a goal, against a wall, to somebody,
-/// or to its end. Many paths end in the same place.
+/// Computes the worth of the ball's paths in a direction, by increasing length: into a goal,
+/// against a wall, to another player, or to its end. Many paths end at the same point.
 void KickChoice::judgePaths(int direction, const End& start, double free) {
   const FieldDimensions& field = world_->field;
   const Vector2d& along = facings_[static_cast<std::size_t>(direction)].along;
@@ -303,8 +304,8 @@ double KickChoice::worthIn(double seconds, double worth) const {
   return (1 - share) * worth + share * stays_;
 }
 
-/// When the first opponent is at the ball, in s from now: one that is known, or an obstacle that is
-/// neither teammate nor wall.
+/// The time (s, from now) until the first opponent is at the ball: a known one, or an obstacle that
+/// is neither teammate nor wall.
 double KickChoice::opponentArrival(const ObstaclesModel& obstacles) const {
   constexpr double far = 1e4, body = 300, border = 150;  // mm
   const FieldDimensions& field = world_->field;
@@ -322,7 +323,7 @@ double KickChoice::opponentArrival(const ObstaclesModel& obstacles) const {
   return (distance - p_.opponentReach) / p_.opponentSpeed;
 }
 
-/// Share of the balls that do not move because an opponent comes in so many seconds.
+/// The share of balls that do not move after a time (s), because an opponent has arrived.
 double KickChoice::disturbed(double seconds) const {
   return p_.disturbed * std::clamp((seconds - opponentArrives_) / p_.arrives + 0.5, 0., 1.);
 }
@@ -331,8 +332,8 @@ bool KickChoice::isUsed(const KickDescription& kick) const {
   return kick.falls <= p_.mostFalls && kick.seconds <= p_.longest;
 }
 
-/// How long it takes to stand where the ball lies well for a kick, in s. For a robot that faces it
-/// the place lies in the direction `kickAngle`.
+/// The time (s) until the robot stands at the best position for a kick. `kickAngle` is the
+/// direction of the ball relative to the robot at that position, minus its present direction (rad).
 double KickChoice::timeTo(const KickDescription& kick, double kickAngle,
                           const Facing& facing) const {
   const Vector2d& turned = facing.turned;
@@ -345,15 +346,16 @@ double KickChoice::timeTo(const KickDescription& kick, double kickAngle,
          std::max(0., around - direct) / fromDegrees(p_.aroundSpeed);
 }
 
-/// Whether a kick does about what it can with a ball at a place, or a share of what is demanded.
+/// Returns whether a kick of a ball at a position is reliable, strong and accurate enough; `demand`
+/// is the share of the thresholds that is required.
 bool KickChoice::isSure(const KickDescription& kick, const Vector2d& place, double demand) const {
   const auto at = kick.at(place);
   return at && at->hits >= demand * haste().reliable &&
          at->length >= demand * haste().strong * kick.length && demand * at->spread <= p_.accurate;
 }
 
-/// Whether a robot that stands behind the ball and faces a direction has room between the walls, a
-/// field player outside of its own penalty area, a goalie also in its goal.
+/// Returns whether a robot that stands behind the ball and faces a direction has room between the
+/// walls; a field player outside of its own penalty area, a goalie also in its goal.
 bool KickChoice::hasRoom(const Facing& facing) const {
   const FieldDimensions& field = world_->field;
   const Vector2d back = ballOnField_ - facing.along * p_.bodyLength;
@@ -372,7 +374,8 @@ bool KickChoice::hasRoom(const Facing& facing) const {
          corner > field.xGroundline - field.xSideCorner + p_.wallClearance * p_.cornerClearance;
 }
 
-/// The best kick from its best place; that of before unless another one is better by something.
+/// Chooses the best kick from its best position; keeps the present plan unless another one is
+/// better by `otherPlan`.
 void KickChoice::choosePlan() {
   const auto isSame = [before = plan_](int motion, double facing) {
     return motion == before.motion && std::abs(normalize(facing - before.facing)) < step / 2;
@@ -407,9 +410,9 @@ void KickChoice::choosePlan() {
   if (isSame(plan_.motion, plan_.facing)) plan_.worth -= p_.otherPlan;
 }
 
-/// The best kick from where the robot stands. Where the ball lies now it must be hit, too: who has
-/// only begun to walk stops at once. A kick that is about to begin is not given up for the noise of
-/// the ball's place.
+/// The best kick from the robot's present pose. It must also hit the ball at its present position,
+/// because a robot that has only begun to walk stops at once. A kick that is about to begin is not
+/// canceled because of noise in the ball's position.
 KickChoice::Plan KickChoice::worthNow(int begun) {
   const Pose2D& walk = world_->motion.executed.walk;
   const bool walks = world_->motion.executed.type == MotionType::walk;

@@ -9,15 +9,15 @@
 
 namespace gt {
 
-/// Chooses how to play the ball (report 3.8.2): the outcomes of each kick of the table, in each
-/// direction, are imagined, from where the ball ends and who is nearer there, which part of the
-/// goal is free, and how long it takes the robot to get behind the ball. The best of them is the
-/// plan. As soon as some kick from where the robot stands is about as good, it is to be performed.
-/// It plans in each cycle; if plans last (`lasts`), a robot beside the ball still does, and the
-/// farther away the ball is, the longer a plan lasts.
+/// Chooses how to play the ball (report 3.8.2). The outcomes of each kick of the table are
+/// predicted for each direction. Their worth depends on where the ball ends, which players are
+/// nearer there, which part of the goal is free, and how long the robot needs to get behind the
+/// ball. The best kick is the plan. As soon as some kick from the robot's present pose is about as
+/// good, it is performed. Plans are made in each cycle. If plans last (`lasts`), a robot beside the
+/// ball still plans in each cycle, and a plan lasts the longer, the farther away the ball is.
 class KickChoice {
  public:
-  /// What a second costs, and what is good enough.
+  /// The cost of time, and the thresholds for performing a kick.
   struct Haste {
     double second = 0.03;
     double enough = 0;
@@ -29,24 +29,27 @@ class KickChoice {
       using H = Haste;
       return Fields{
           field<&H::second>("cost of a second until the ball is on its way", {0, 1}),
-          field<&H::enough>("by how much a kick may be worse than the plan", {0, 1}),
-          field<&H::impatience>("by how much more with each second at the ball", {0, 1}),
-          field<&H::reliable>("share of the balls that a kick moves from where the ball lies",
-                              {0, 1}),
+          field<&H::enough>(
+              "greatest difference by which a performed kick may be worse than the plan", {0, 1}),
+          field<&H::impatience>("increase of `enough` for each second at the ball", {0, 1}),
+          field<&H::reliable>(
+              "least share of balls that a kick moves from the present position of the ball",
+              {0, 1}),
           field<&H::strong>(
-              "how far it moves them from there, as a share of the way from its best place",
+              "least distance that a kick moves the ball from its present position, as a share of "
+              "that from its best position",
               {0, 1})};
     }
   };
   struct Parameters {
-    // What an end of the ball is worth; a goal is worth 1.
+    // The worth of a position where the ball ends; a goal is worth 1.
     double ahead = 0.1;
     double shot = 0.5;
     double possession = 0.15;
     double opponentFar = 1200;
     double widestGoal = 1;
     double blocked = 0.25;
-    // A goalie hurries: its ball lies before its goal.
+    // A goalie hurries, because its ball lies in front of its goal.
     Haste fieldPlayer;
     Haste goalie{.second = 0.15, .enough = 0.15, .impatience = 0.1, .reliable = 0.7, .strong = 0.3};
     // An opponent that comes to the ball.
@@ -54,7 +57,7 @@ class KickChoice {
     double opponentReach = 200;
     double disturbed = 0.7;
     double arrives = 1;
-    // The way to the ball.
+    // The robot's path to the ball.
     double walkSpeed = 230;
     double turnSpeed = 90;
     double aroundSpeed = 60;
@@ -74,7 +77,7 @@ class KickChoice {
     double otherPlan = 0.08;
     double begins = 1200;
     double lasts = 0;
-    // The ball's way.
+    // The ball's path.
     double ballCorridor = 200;
     double handled = 800;
     double postClearance = 60;
@@ -86,99 +89,113 @@ class KickChoice {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field<&P::ahead>(
-              "worth of a ball at the opponent's ground line; at the own one it is as bad", {0, 1}),
+          field<&P::ahead>("worth of a ball at the opponent's ground line; negative at the own one",
+                           {0, 1}),
           field<&P::shot>(
-              "worth of each radian at which the opponent's goal is seen from the ball; the own "
-              "one's is as bad",
+              "worth of each radian of the opponent's goal as seen from the ball; negative for the "
+              "own goal",
               {0, 1}),
-          field<&P::widestGoal>(Unit::rad, "a wider goal counts like this", {0.1, 3.2}),
+          field<&P::widestGoal>(Unit::rad, "greatest angle of a goal that counts", {0.1, 3.2}),
           field<&P::possession>(
-              "worth of a ball that a teammate reaches a meter before any opponent", {0, 1}),
-          field<&P::opponentFar>(Unit::mm, "distance of opponents that nobody knows of", {0, 5000}),
-          field<&P::blocked>("cost of a ball that somebody stops", {0, 1}),
-          field<&P::fieldPlayer>("how soon field players kick"),
-          field<&P::goalie>("how soon a goalie does"),
-          field<&P::opponentSpeed>(Unit::mmPerS, "of one that comes to the ball", {10, 1000}),
-          field<&P::opponentReach>(Unit::mm, "from the ball to the middle of one that is there",
-                                   {0, 1000}),
+              "worth of a ball to which the own team is a meter nearer than the opponents", {0, 1}),
+          field<&P::opponentFar>(Unit::mm,
+                                 "assumed distance from the ball of opponents that are not known",
+                                 {0, 5000}),
+          field<&P::blocked>("cost of a ball that is stopped by another player", {0, 1}),
+          field<&P::fieldPlayer>("haste of field players to kick"),
+          field<&P::goalie>("haste of a goalie to kick"),
+          field<&P::opponentSpeed>(Unit::mmPerS, "speed of an opponent that comes to the ball",
+                                   {10, 1000}),
+          field<&P::opponentReach>(
+              Unit::mm, "distance from the ball to the middle of an opponent that has reached it",
+              {0, 1000}),
           field<&P::disturbed>(
-              "share of the balls that stay where they are because an opponent is there, too",
-              {0, 1}),
-          field<&P::arrives>(Unit::s, "so uncertain it is when an opponent is there", {0.01, 10}),
-          field<&P::walkSpeed>(Unit::mmPerS, "to the ball", {10, 1000}),
-          field<&P::turnSpeed>(Unit::degPerS, "beside the ball", {1, 1000}),
-          field<&P::aroundSpeed>(Unit::degPerS, "around the ball", {1, 1000}),
-          field<&P::aim>(Unit::deg, "how far the robot faces elsewhere than planned", {0, 90}),
-          field<&P::sees>(Unit::deg, "how far the ball lies elsewhere than seen", {0, 90}),
-          field<&P::nearBall>(Unit::mm, "how near it a robot is at the ball", {0, 1000}),
-          field<&P::stopping>(Unit::s, "so long the robot goes on walking until it begins to kick",
-                              {0, 1}),
-          field<&P::misplaced>(Unit::mm, "how far the ball lies elsewhere when a kick begins",
+              "share of balls that do not move because an opponent is also at the ball", {0, 1}),
+          field<&P::arrives>(Unit::s, "uncertainty of an opponent's time of arrival at the ball",
+                             {0.01, 10}),
+          field<&P::walkSpeed>(Unit::mmPerS, "walking speed to the ball", {10, 1000}),
+          field<&P::turnSpeed>(Unit::degPerS, "turning speed beside the ball", {1, 1000}),
+          field<&P::aroundSpeed>(Unit::degPerS, "speed of walking around the ball", {1, 1000}),
+          field<&P::aim>(Unit::deg, "standard deviation of the robot's heading when it kicks",
+                         {0, 90}),
+          field<&P::sees>(Unit::deg,
+                          "standard deviation of the direction of the ball when it is kicked",
+                          {0, 90}),
+          field<&P::nearBall>(Unit::mm, "distance of the ball below which a robot is at the ball",
+                              {0, 1000}),
+          field<&P::stopping>(
+              Unit::s, "time for which the robot continues to walk until a kick begins", {0, 1}),
+          field<&P::misplaced>(Unit::mm, "error of the ball's position when a kick begins",
                                {0, 100}),
           field<&P::follows>(
-              Unit::mm, "so far off a kicked ball is looked for in the direction in which it went",
+              Unit::mm, "distance at which a kicked ball is searched in the direction of the kick",
               {0, 5000}),
           field<&P::accurate>(
-              Unit::deg, "how far the balls of a kick spread from where the ball lies, at most",
+              Unit::deg,
+              "greatest spread of the directions of a kick from the present position of the ball",
               {0, 180}),
           field<&P::holds>(
-              "share of reliable, strong and accurate that is enough for a kick that is about to "
+              "share of reliable, strong and accurate that suffices for a kick that is about to "
               "begin",
               {0.1, 1}),
-          field<&P::mostFalls>("share of falls after which a kick is not used", {0, 1}),
-          field<&P::longest>(Unit::s, "kicks that take longer are not used", {0, 10}),
+          field<&P::mostFalls>("share of falls above which a kick is not used", {0, 1}),
+          field<&P::longest>(Unit::s, "greatest duration of kicks that are used", {0, 10}),
           field<&P::ownGoalRisk>(
-              "share of the balls that may roll into the own goal after a goalie's kick", {0, 1}),
-          field<&P::otherPlan>("by how much another plan has to be better", {0, 1}),
-          field<&P::begins>(Unit::ms, "so long a robot tries to begin a kick", {0, 5000}),
+              "greatest share of balls that may roll into the own goal after a goalie's kick",
+              {0, 1}),
+          field<&P::otherPlan>(
+              "difference by which another plan must be better to replace the present one", {0, 1}),
+          field<&P::begins>(Unit::ms, "time for which a robot tries to begin a kick", {0, 5000}),
           field<&P::lasts>(
               "how long a plan lasts, as a share of the time that the robot needs until it is "
               "near the ball; and how far the ball moves meanwhile, as a share of its distance",
               {0, 1}),
           field<&P::ballCorridor>(
               Unit::mm, "width of the corridor that a ball needs between obstacles", {0, 1000}),
-          field<&P::handled>(Unit::mm, "obstacles around a ball that is farther away do not count",
+          field<&P::handled>(Unit::mm,
+                             "distance of the ball beyond which obstacles around it do not count",
                              {0, 5000}),
           field<&P::postClearance>(
               Unit::mm,
-              "from a post to the middle of a ball that surely goes in, or surely not into the "
-              "own goal",
+              "distance from a goal post to a ball's middle that surely enters the goal, or surely "
+              "misses the own goal",
               {0, 300}),
-          field<&P::wallClearance>(Unit::mm, "room that the body's middle needs beside a wall",
+          field<&P::wallClearance>(Unit::mm, "distance that the body's middle needs from a wall",
                                    {0, 1000}),
-          field<&P::bodyLength>(Unit::mm,
-                                "from the ball to the middle of the hind part of a robot behind it",
-                                {0, 1000}),
-          field<&P::cornerClearance>("room in a corner, as a multiple of that beside a wall",
-                                     {0, 10})};
+          field<&P::bodyLength>(
+              Unit::mm,
+              "distance from the ball to the middle of the hind part of a robot behind it",
+              {0, 1000}),
+          field<&P::cornerClearance>(
+              "distance needed in a corner, as a multiple of that from a wall", {0, 10})};
     }
   };
 
-  /// A kick, where the ball goes and where the robot faces for it, on the field (rad).
+  /// A kick, with the direction of the ball and the heading of the robot, on the field (rad).
   struct Plan {
     int motion = 0;  ///< index in MotionNet::motions; 0 none
     double direction = 0, facing = 0;
-    double worth = 0;  ///< with the cost of the time it takes
+    double worth = 0;  ///< including the cost of time
   };
 
   /// The parameters must outlive this.
   explicit KickChoice(const Parameters& parameters);
 
-  /// Chooses for a ball at a place relative to the robot (mm) that was last seen some ms ago, with
-  /// obstacles relative to the robot. One that does not play the ball now only sees what it
-  /// performs.
+  /// Chooses for a ball at a position relative to the robot (mm) that was last seen `unseen` (ms)
+  /// ago. `obstacles` are relative to the robot. If not `plays`, nothing is planned; only the kick
+  /// being performed is observed.
   void update(const WorldState& world, const ObstaclesModel& obstacles, const Vector2d& ball,
               std::int64_t unseen, bool plays = true);
 
   const Plan& plan() const { return plan_; }
-  /// Where the last kick sent the ball, on the field (mm), and when it ended.
+  /// The point on the field (mm) in the direction of the last kick at which the ball is searched.
   const Vector2d& target() const { return target_; }
-  /// Where the kick that is performed, or the plan, brings the ball if nothing is in its way, on
-  /// the field (mm). Without either: where the ball lies.
+  /// The point on the field (mm) to which the performed kick, or else the plan, moves the ball if
+  /// nothing is in its way; without both the position of the ball.
   const Vector2d& aim() const { return aim_; }
+  /// The end of the last kick.
   Time lastKick() const { return lastKick_; }
-  /// The motion to be performed now, until it ends; 0 none.
+  /// The index of the motion to be performed now, until it ends; 0: none.
   int now() const { return now_; }
 
  private:
@@ -188,21 +205,23 @@ class KickChoice {
   static constexpr double lengthStep = 500;  // mm
   static constexpr double ownGoal = -1;      // worth
 
-  /// A direction on the field: an angle and a unit vector; relative to the robot, the angle by
-  /// which it has to turn and a unit vector; whether walls leave room behind the ball.
+  /// A direction on the field (angle in rad and unit vector `along`), relative to the robot (the
+  /// angle by which it must turn and unit vector `turned`), and whether walls leave room behind the
+  /// ball.
   struct Facing {
     double angle = 0, turn = 0;
     Vector2d along = Vector2d::Zero(), turned = Vector2d::Zero();
     bool hasRoom = false;
   };
-  /// The worth of the ball's paths of a length, in each direction. Directions come twice, so that
-  /// none is the last of those that follow another one.
+  /// The worth of the ball's paths of a length, in each direction. Directions are stored twice, so
+  /// that following directions can be read without wrapping around.
   using Paths = std::array<double, 2 * directions>;
-  /// The angle at which a goal is seen: its sine and cosine, both times the same.
+  /// The angle of a goal as seen from a point: its sine and cosine, both times the same factor.
   struct GoalAngle {
     double sine = 0, cosine = 0;
   };
-  /// Where a ball goes that lies about at a place before a robot that faces a direction.
+  /// Predicted paths of a ball that is kicked from about a position relative to the robot, for a
+  /// heading of the robot.
   struct Imagined {
     struct Path {
       int direction, length;  ///< indices
@@ -212,15 +231,15 @@ class KickChoice {
     double missed = 0;
   };
 
-  /// What a kick does with a ball that lies about at a place, and how far the robot faces elsewhere
-  /// and the ball lies elsewhere (degrees, standard deviation).
+  /// The effects of a kick on a ball at about a position, and the standard deviation of its
+  /// direction by the errors of heading and ball (degrees).
   struct About {
     std::array<KickedPlace, 5> places;
     double spread = -1;
 
     bool operator==(const About& other) const;
   };
-  /// A place where the ball ends (mm, on the field), and its worth.
+  /// A point where the ball ends (mm, on the field), and its worth.
   struct End {
     Vector2d place;
     double worth;
@@ -232,20 +251,20 @@ class KickChoice {
   void judgePaths(int direction, const End& start, double free);
   About about(const KickDescription& kick, const Vector2d& place) const;
   static void imagine(const About& about, double facing, Imagined& imagined);
-  /// What is imagined of a kick from its best place, for a robot that faces 0.
+  /// The predicted paths of a kick from its best position, for a robot with heading 0.
   const Imagined& fromBestPlace(int motion);
-  /// The worth of a path, for a robot that is turned by 0, 1, ... steps.
+  /// The worth of a path for a robot that is turned by 0, 1, ... steps.
   const double* worthOf(const Imagined::Path& path) const {
     return &paths_[static_cast<std::size_t>(path.length)][static_cast<std::size_t>(path.direction)];
   }
   template <std::size_t count>
   void addTurned(const Imagined& imagined, std::array<double, count>& worth) const;
-  /// The worth of what is imagined, likewise.
+  /// The worth of the predicted paths for a robot that is turned by 0, 1, ... steps.
   template <std::size_t count>
   std::array<double, count> worthTurned(const Imagined& imagined) const;
-  /// The share of the balls that end in the own goal, for a robot that is turned by so many steps.
+  /// The share of balls that end in the own goal, for a robot that is turned by `turned` steps.
   double ownGoals(const Imagined& imagined, std::size_t turned) const;
-  /// What it is worth if it takes so many seconds.
+  /// The worth of a kick that is performed after a time (s), in which an opponent may arrive.
   double worthIn(double seconds, double worth) const;
   bool isUsed(const KickDescription& kick) const;
   bool isSure(const KickDescription& kick, const Vector2d& place, double demand) const;
@@ -255,7 +274,7 @@ class KickChoice {
   bool needsPlan() const;
   void choosePlan();
   void decide(std::int64_t unseen);
-  /// Where a kick brings the ball from where it lies (mm, on the field).
+  /// The point to which a kick moves the ball from its present position (mm, on the field).
   Vector2d aimOf(const Plan& plan) const;
   Plan worthNow(int begun);
   bool hasRoom(const Facing& facing) const;
@@ -266,18 +285,20 @@ class KickChoice {
 
   const Parameters& p_;
   const WorldState* world_ = nullptr;
-  Vector2d ball_ = Vector2d::Zero();         ///< relative to the robot
+  Vector2d ball_ = Vector2d::Zero();         ///< mm, relative to the robot
   Vector2d ballOnField_ = Vector2d::Zero();  ///< mm
   std::array<Facing, directions> facings_;
   GoalAngle widest_;
   std::array<Paths, lengths> paths_{};
   double stays_ = 0;  ///< worth of a ball that stays where it is
   Imagined imagined_;
-  std::vector<std::pair<About, Imagined>> fromBestPlace_;  ///< by motion; as long as it is so
-  std::vector<Vector2d> own_, opponents_;                  ///< on the field
-  double opponentArrives_ = 0;                             ///< s, from now
+  /// for each motion, while About is unchanged
+  std::vector<std::pair<About, Imagined>> fromBestPlace_;
+  std::vector<Vector2d> own_, opponents_;  ///< mm, on the field
+  double opponentArrives_ = 0;             ///< s, from now
   Plan plan_;
-  Vector2d plannedBall_ = Vector2d::Zero();  ///< where it was on the field for the plan
+  /// position of the ball on the field at the time of the plan
+  Vector2d plannedBall_ = Vector2d::Zero();
   int now_ = 0;
   Vector2d target_ = Vector2d::Zero(), aim_ = Vector2d::Zero();
   Time planned_ = never(), decided_ = never(), atBallSince_ = never(), lastKick_ = never();

@@ -20,7 +20,7 @@ struct Around {
   }
 };
 
-/// Whether the lists fit the grid, whoever made them.
+/// Returns whether the lists fit the grid. Safe on any input.
 bool isSound(const PlayValues& values) {
   return !values.empty() && values.check();
 }

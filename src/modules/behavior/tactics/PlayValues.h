@@ -7,10 +7,10 @@
 
 namespace gt {
 
-/// What a team has learned from matches: how much a ball at a place is worth, and where supporters
-/// help most, at the points of a grid over the field (`python/gt2003/values.py`). The grid covers
-/// the left half, which the right one mirrors. Configuration, from `values.cfg`; empty, the team
-/// plays by the rules of its behavior alone.
+/// Values that a team has learned from matches: the worth of a ball and the best places of
+/// supporters, at the points of a grid over the field (`python/gt2003/values.py`). The grid covers
+/// the left half; the right half mirrors it. Configuration, from `values.cfg`. If empty, the team
+/// plays only by the rules of its behavior.
 struct PlayValues {
   int columns = 0, rows = 0;
   double nearer = 200;
@@ -20,25 +20,28 @@ struct PlayValues {
   static constexpr auto fields() {
     using P = PlayValues;
     return Fields{
-        field<&P::columns>("from the own ground line to the opponent's", {0, 100}),
-        field<&P::rows>("from the middle to the left side line", {0, 100}),
-        field<&P::nearer>(
-            Unit::mm, "a team that is nearer by so much has the ball e times as likely", {1, 5000}),
+        field<&P::columns>("number of columns from the own ground line to the opponent's",
+                           {0, 100}),
+        field<&P::rows>("number of rows from the middle to the left side line", {0, 100}),
+        field<&P::nearer>(Unit::mm,
+                          "lead in distance to the ball that multiplies the odds of having it by e",
+                          {1, 5000}),
         field<&P::ours>("worth of a ball that the own team has, -1 to 1, column by column"),
         field<&P::theirs>("worth of a ball that the opponents have, -1 to 1, column by column"),
-        field<&P::ahead>(Unit::mm, "place of the supporter that stands ahead of the other"),
-        field<&P::behind>(Unit::mm, "place of the other one")};
+        field<&P::ahead>(Unit::mm, "place of the supporter that stands ahead of the other one"),
+        field<&P::behind>(Unit::mm, "place of the supporter that stands behind the other one")};
   }
 
   bool empty() const { return columns == 0; }
   /// Returns an error if a list does not fit the grid.
   Result<void> check() const;
 
-  /// The worth of a ball at a place on the field, to which some player of the own team is nearer
-  /// than any opponent by `lead` (mm). `corner` is the field's corner at the left of the
-  /// opponent's goal.
+  /// The worth of a ball at a position on the field (mm), to which some player of the own team is
+  /// nearer than any opponent by `lead` (mm). `corner` is the field's corner at the left of the
+  /// opponent's goal (mm).
   double worth(const Vector2d& ball, double lead, const Vector2d& corner) const;
-  /// Where a supporter helps while the ball is at a place.
+  /// The best places of the supporters ahead and behind for a position of the ball (mm, on the
+  /// field).
   Vector2d placeAhead(const Vector2d& ball, const Vector2d& corner) const;
   Vector2d placeBehind(const Vector2d& ball, const Vector2d& corner) const;
 };

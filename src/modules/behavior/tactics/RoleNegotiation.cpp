@@ -32,7 +32,8 @@ void RoleNegotiation::update(const Candidate& self, const TeamMessages& team, Ti
   if (atOnce || static_cast<double>(now - roleRight_) >= p_.delay) role_ = wanted;
 }
 
-/// If two have decided the same number, the one with the lower number is the striker.
+/// If two robots have decided with the same hand-over number, the robot with the lower player
+/// number is the striker.
 void RoleNegotiation::adopt(const TeamMessages& team) {
   for (const TeamMessages::Received& mate : team.byPlayer) {
     const BehaviorTeamMessage& told = mate.message.behavior;
@@ -45,8 +46,8 @@ void RoleNegotiation::adopt(const TeamMessages& team) {
   }
 }
 
-/// A striker that has handed its role over acts until it hears that the new one does, or for as
-/// long as the message takes to that one if the radio works.
+/// A striker that has handed its role over acts until it hears that the new one acts, or, if the
+/// radio works, until the new one must have received the message.
 bool RoleNegotiation::isStillNeeded(const TeamMessages& team, Time now) const {
   if (role_ != DynamicRole::striker || self_.timeToBall >= notAvailable || striker_ == 0)
     return false;
@@ -63,8 +64,8 @@ bool RoleNegotiation::strikerPlays(const TeamMessages& team, Time now) const {
   return striker_ != 0 && isPresent(team.byPlayer[static_cast<std::size_t>(striker_ - 1)], now);
 }
 
-/// The network may break down for seconds in which nobody is heard; a robot that alone is not heard
-/// is gone. One that does not play counts for nobody.
+/// The network may break down for seconds in which nobody is heard. A robot that is not heard while
+/// others are is absent. A robot that does not play is treated as absent.
 bool RoleNegotiation::isPresent(const TeamMessages::Received& mate, Time now) const {
   return mate.message.playerNumber > 1 && mate.message.playerNumber != self_.number &&
          mate.message.behavior.estimatedTimeToReachBall < notAvailable &&

@@ -6,10 +6,11 @@
 namespace gt {
 
 /// Negotiates with the teammates which field player is the striker and which supporters are
-/// offensive and defensive (report 3.8.2). The striker leaves its role to a teammate that has been
-/// clearly sooner at the ball for a while, and acts until this one does. Each hand-over has a
-/// number, and all follow the highest number that they know. So two robots are never strikers for
-/// longer than a message takes, and no break of the radio makes a second one.
+/// offensive and defensive (report 3.8.2). The striker hands its role over to a teammate that could
+/// have reached the ball clearly sooner for a while, and acts until that one does. Each hand-over
+/// has a number, and all robots follow the highest number that they know. Therefore two robots are
+/// never strikers for longer than a message takes, and a break of the radio does not create a
+/// second one.
 class RoleNegotiation {
  public:
   struct Parameters {
@@ -24,25 +25,34 @@ class RoleNegotiation {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field<&P::gone>(Unit::ms,
-                          "a teammate is gone if others have been heard for so long without it",
-                          {0, 60000}),
-          field<&P::silence>(Unit::ms, "a teammate is gone if nobody has been heard for so long",
-                             {0, 600000}),
-          field<&P::fresh>(Unit::ms,
-                           "the ball is left to nobody if nobody has been heard for so long",
-                           {0, 60000}),
+          field<&P::gone>(
+              Unit::ms,
+              "time without a message of a teammate, while others are heard, after which it is "
+              "absent",
+              {0, 60000}),
+          field<&P::silence>(
+              Unit::ms, "time without a message of a teammate after which it is absent in any case",
+              {0, 600000}),
+          field<&P::fresh>(
+              Unit::ms,
+              "time without any message after which the striker does not hand its role over",
+              {0, 60000}),
           field<&P::messageTime>(
-              Unit::ms, "from a robot's decision until a teammate follows it, if the radio works",
+              Unit::ms,
+              "time from a robot's decision until a teammate follows it, if the radio works",
               {0, 5000}),
           field<&P::strikerAdvantage>(
-              Unit::ms, "so much later than a teammate the present striker may reach the ball",
+              Unit::ms,
+              "time by which the present striker may reach the ball later than a teammate and keep "
+              "its role",
               {0, 60000}),
           field<&P::delay>(Unit::ms,
-                           "how long another role has to be the better one until it is taken",
+                           "time for which another role must be the better one until it is taken",
                            {0, 10000}),
           field<&P::forwardAdvantage>(
-              Unit::mm, "so far behind others the present offensive supporter may stand",
+              Unit::mm,
+              "distance by which the present offensive supporter may stand behind others and keep "
+              "its role",
               {0, 5000})};
     }
   };
@@ -53,17 +63,17 @@ class RoleNegotiation {
     double timeToBall = notAvailable;  ///< ms
     double x = 0;                      ///< mm, on the field
   };
-  /// Time to the ball of a player that does not play, in ms.
+  /// The time to the ball (ms) that a player sends if it does not play.
   static constexpr double notAvailable = 1e6;
 
   /// The parameters must outlive this.
   explicit RoleNegotiation(const Parameters& parameters) : p_{parameters} {}
 
-  /// Decides by what the teammates sent.
+  /// Decides by the messages of the teammates.
   void update(const Candidate& self, const TeamMessages& team, Time now);
 
   DynamicRole role() const { return role_; }
-  /// What teammates have to know.
+  /// The message to the teammates.
   BehaviorTeamMessage message() const { return {role_, self_.timeToBall, striker_, handOver_}; }
 
  private:
@@ -71,18 +81,19 @@ class RoleNegotiation {
   bool isStillNeeded(const TeamMessages& team, Time now) const;
   bool strikerPlays(const TeamMessages& team, Time now) const;
   bool isPresent(const TeamMessages::Received& mate, Time now) const;
-  /// The present field player that is at the ball first; not available if there is none.
+  /// The present teammate, of the field players, with the least time to the ball; its time is
+  /// notAvailable if there is none.
   Candidate soonestMate(const TeamMessages& team, Time now) const;
   bool isMostForward(const TeamMessages& team, Time now) const;
   void handOverTo(int number, Time now);
 
   const Parameters& p_;
   Candidate self_;
-  Time newest_ = never();  ///< when any teammate was heard last
+  Time newest_ = never();  ///< time of the last message of any teammate
   int striker_ = 0, handOver_ = 0;
-  Time handedOver_ = never();  ///< by this robot
+  Time handedOver_ = never();  ///< time of the last hand-over by this robot
   DynamicRole role_ = DynamicRole::defensiveSupporter;
-  /// When it was right last.
+  /// The last time at which striker and role were right.
   Time strikerRight_ = never(), roleRight_ = never();
 };
 static_assert(complete<RoleNegotiation::Parameters>);

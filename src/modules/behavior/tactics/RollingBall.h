@@ -5,14 +5,15 @@
 
 namespace gt {
 
-/// Where and when a ball rolls across the line to the left and right of the robot.
+/// The point and time at which a ball crosses the line through the robot to its left and right (the
+/// y axis).
 struct Crossing {
-  double left = 0;  ///< mm
+  double left = 0;  ///< mm, positive: left of the robot
   double time = 0;  ///< ms, from now
 };
 
 /// The crossing of a ball that comes from ahead, rolls straight and loses speed at a constant
-/// deceleration (mm/s^2). Empty if it stops before, or does not come.
+/// deceleration (mm/s^2). Empty if it stops before the line, or does not approach.
 std::optional<Crossing> crossingOf(const BallModel& ball, double deceleration);
 
 }  // namespace gt

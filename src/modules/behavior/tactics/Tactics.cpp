@@ -86,7 +86,7 @@ double Tactics::estimatedTimeToReachBall() const {
          (free < ball.norm() - p_.besideBall ? p_.blockedWay : 0);
 }
 
-/// A robot that is penalized, lies or is lifted up counts for nobody.
+/// A robot that is penalized, lies or is lifted up does not play.
 bool Tactics::plays() const {
   const WorldState& w = *world_;
   return w.game.penalty == Penalty::none && w.body.state == BodyState::standing &&

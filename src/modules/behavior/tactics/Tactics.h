@@ -9,8 +9,8 @@
 
 namespace gt {
 
-/// What a player makes of the state of the world before its options decide: where the ball is, who
-/// of the team goes to it, and where to play it (report 3.8.2).
+/// Evaluates the state of the world before the options decide: where the ball is, which player of
+/// the team goes to it, and where to play it (report 3.8.2).
 class Tactics {
  public:
   struct Parameters {
@@ -38,33 +38,46 @@ class Tactics {
       using P = Parameters;
       return Fields{
           field<&P::ownBall>(
-              Unit::ms, "so long after it was seen the robot's own ball counts, then the team's",
+              Unit::ms,
+              "time since the ball was seen during which the robot's own ball counts, then the "
+              "team's",
               {0, 60000}),
           field<&P::teammateWidth>(
-              Unit::mm, "width of a teammate as an obstacle, where its message says it is",
+              Unit::mm, "width of a teammate as an obstacle, at the position that it sent",
               {0, 1000}),
           field<&P::obstacleMemory>(
-              Unit::ms, "an obstacle that was not seen for so long does not count, as robots move",
+              Unit::ms,
+              "time since an obstacle was seen after which it does not count, as robots move",
               {0, 1e5}),
-          field<&P::deceleration>(Unit::mmPerS2, "of a rolling ball", {0, 10000}),
-          field<&P::walkSpeed>(Unit::mmPerMs, "speed in the estimated time to the ball", {0.01, 1}),
-          field<&P::turnSpeed>(Unit::radPerMs, "speed of turning to the ball in the estimated time",
+          field<&P::deceleration>(Unit::mmPerS2, "deceleration of a rolling ball", {0, 10000}),
+          field<&P::walkSpeed>(
+              Unit::mmPerMs, "walking speed assumed in the estimated time to the ball", {0.01, 1}),
+          field<&P::turnSpeed>(Unit::radPerMs,
+                               "turning speed assumed in the estimated time to the ball",
                                {1e-4, 0.01}),
           field<&P::wrongSide>(
               Unit::mmPerRad,
-              "further distance in that time for each rad around the ball to behind it", {0, 2000}),
+              "distance added in the estimated time to the ball for each rad around the ball to "
+              "the place behind it",
+              {0, 2000}),
           field<&P::unseenBall>(
-              "further time for each unit of time that the robot has not seen the ball", {0, 10}),
-          field<&P::longestUnseen>(Unit::ms, "a longer time counts like this one", {0, 60000}),
-          field<&P::blockedWay>(Unit::ms, "further time if the direct way to the ball is blocked",
-                                {0, 60000}),
-          field<&P::besideBall>(Unit::mm,
-                                "obstacles that are nearer to the ball do not block the way to it",
-                                {0, 5000}),
-          field<&P::roles>(),
-          field<&P::connected>(
-              Unit::ms, "a teammate from which nothing was heard for so long is not connected",
+              "increase of the estimated time to the ball per time since the ball was seen",
+              {0, 10}),
+          field<&P::longestUnseen>(
+              Unit::ms,
+              "greatest time since the ball was seen that counts in the estimated time to it",
               {0, 60000}),
+          field<&P::blockedWay>(
+              Unit::ms,
+              "time added to the estimated time to the ball if the direct path is blocked",
+              {0, 60000}),
+          field<&P::besideBall>(
+              Unit::mm, "distance from the ball below which obstacles do not block the path to it",
+              {0, 5000}),
+          field<&P::roles>(),
+          field<&P::connected>(Unit::ms,
+                               "time without a message after which a teammate is not connected",
+                               {0, 60000}),
           field<&P::buttons>(),
           field<&P::kick>()};
     }
@@ -77,28 +90,29 @@ class Tactics {
         buttons_{parameters.buttons},
         kick_{parameters.kick} {}
 
-  /// Begins a cycle: enters the teammates that sent where they are among the obstacles, for the
-  /// camera does not see what is behind the robot, and negotiates the role. The state of the world
-  /// must exist as long as the cycle.
+  /// Begins a cycle: adds the teammates that sent their positions to the obstacles, because the
+  /// camera does not see behind the robot, and negotiates the role. The state of the world must
+  /// outlive the cycle.
   void update(const WorldState& world);
 
   const WorldState& world() const { return *world_; }
   const ObstaclesModel& obstacles() const { return obstacles_; }
 
-  /// The known ball relative to the robot: its own if it saw it lately, else the team's
+  /// The known ball relative to the robot (mm): its own if it saw it lately, otherwise the team's
   /// (report 3.8.2).
   Vector2d knownBall() const;
+  /// The known ball on the field (mm).
   Vector2d knownBallOnField() const;
-  /// In ms.
+  /// The time (ms) since the known ball was seen.
   std::int64_t knownBallAge() const;
 
-  /// Where and when the own ball crosses the line to the robot's left and right: never, long from
-  /// now.
+  /// The point and time at which the robot's own ball crosses the line to its left and right. If it
+  /// does not, the time is very long.
   Crossing crossing() const;
 
-  /// The role of this cycle; the goalie stays goalie.
+  /// The role of this cycle; that of the goalie never changes.
   DynamicRole role() const { return message().role; }
-  /// What the teammates have to know.
+  /// The message to the teammates.
   const BehaviorTeamMessage& message() const { return message_; }
 
   /// How to play the ball.
@@ -106,17 +120,17 @@ class Tactics {
 
   /// The state of the game.
   const ButtonControl& game() const { return buttons_; }
-  /// How many teammates the robot is connected with: heard lately.
+  /// The number of connected teammates, from which messages were received lately.
   int connections() const;
 
-  /// When the teams scored last.
+  /// The times of the last goals scored by each team.
   Time ownGoal() const { return ownGoal_.time; }
   Time opponentGoal() const { return opponentGoal_.time; }
 
  private:
   /// The last goal of a team.
   struct Goal {
-    int score = 0;  ///< with it
+    int score = 0;  ///< including this goal
     Time time = never();
 
     void update(int scoreNow, Time now) {
@@ -127,8 +141,8 @@ class Tactics {
 
   void forgetOldObstacles();
   void addTeammatesToObstacles();
-  /// How long the robot needs to the ball, in ms: by distance, by the angle to turn, by how long
-  /// the ball is out of sight, by being on the wrong side of it and by obstacles (report 3.8.2).
+  /// The estimated time (ms) that the robot needs to the ball: by the distance, the angle to turn,
+  /// the time since the ball was seen, being on the wrong side of it and obstacles (report 3.8.2).
   double estimatedTimeToReachBall() const;
   bool plays() const;
   void negotiateRole();

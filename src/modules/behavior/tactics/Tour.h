@@ -5,19 +5,19 @@
 
 namespace gt {
 
-/// The shortest way from a place through all others, not back: the order in which to visit them.
-/// Exact; for up to eight places.
+/// The order of places (mm, on the field) on the shortest path from a place through all of them,
+/// without returning. Exact; for up to eight places.
 std::vector<Vector2d> shortestTour(const Vector2d& from, std::vector<Vector2d> places);
 
-/// A tour through the places that are to be visited (report 4.2.1). It is planned when its first
-/// place is asked for, from where the robot is then; it is forgotten when nobody has asked for a
-/// place for five seconds.
+/// A tour through the places to be visited (report 4.2.1). It is planned when its first place is
+/// requested, from the robot's position at that time. It is forgotten if no place was requested for
+/// five seconds.
 class Tour {
  public:
-  /// A place with the rotation in which the robot stands there: so that it looks at the border of
-  /// the field. The robot's own pose if there is no such place.
+  /// A place of the tour (mm, on the field), with the rotation in which the robot looks at the
+  /// border of the field. The robot's own pose if the index is out of range.
   const Pose2D& at(std::size_t index, const WorldState& world);
-  /// Of places; 0 before it was planned.
+  /// The number of places; 0 before the tour was planned.
   std::size_t size() const { return poses_.size(); }
 
  private:
@@ -26,8 +26,8 @@ class Tour {
   Time asked_ = never();
 };
 
-/// The rotation at a place in which the robot looks at the nearest border of the field that it can
-/// see from there.
+/// The rotation (rad) at a place (mm, on the field) in which the robot looks at the nearest border
+/// of the field that it can see from there.
 double towardsBorder(const Vector2d& place, const FieldDimensions& field);
 
 }  // namespace gt

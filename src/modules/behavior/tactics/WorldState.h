@@ -20,7 +20,7 @@
 
 namespace gt {
 
-/// What the behavior decides on: the models of one cycle, where they are.
+/// References to the inputs of the behavior in one cycle.
 struct WorldState {
   const FrameInfo& frame;
   const Player& player;

@@ -3,7 +3,7 @@
 
 namespace gt {
 
-/// A state of the world made up by hand: for tests and experiments, no part of the robot.
+/// A state of the world defined by hand, for tests and experiments; not used on the robot.
 struct ImaginedWorld {
   FrameInfo frame;
   Player player;

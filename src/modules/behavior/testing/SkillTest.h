@@ -6,10 +6,10 @@
 
 namespace gt {
 
-/// The skills of a robot that moves as it asks for.
+/// Test fixture for skills: the robot moves exactly as requested.
 class SkillTest : public ::testing::Test {
  protected:
-  /// Executes a skill and moves the robot, for one image.
+  /// Executes a skill and moves the robot, for one image (40 ms).
   void cycle(auto& skill) {
     const WorldState state = world.state();
     tactics.update(state);

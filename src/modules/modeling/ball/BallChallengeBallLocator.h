@@ -10,8 +10,9 @@
 
 namespace gt {
 
-/// Solution *BallChallenge* of BallLocator: the ball as report 3.4.1 words it. Its position is that
-/// of the percepts, its speed follows from the last two of them, and both are floating averages.
+/// Solution *BallChallenge* of BallLocator: models the ball as described in report 3.4.1. The
+/// position is measured by the percepts, the speed is computed from the last two of them, and both
+/// are floating averages.
 class BallChallengeBallLocator {
  public:
   static constexpr int mostPercepts = 32;
@@ -36,14 +37,14 @@ class BallChallengeBallLocator {
   };
   Parameters parameters;
 
-  /// Provides the ball relative to the robot. Without a new percept it moves with the odometry
-  /// only; a ball never seen has the time never(). The percept's own place counts, so an invalid
-  /// camera matrix is the ImageProcessor's matter.
+  /// Provides the ball relative to the robot. Without a new percept it is moved by the odometry
+  /// only. A ball never seen has the time never(). The camera matrix is not checked here: the
+  /// ImageProcessor handles an invalid one.
   void update(const BallPercept& percept, const OdometryData& odometry, const FrameInfo& frame,
               BallModel& model, Debug& debug);
 
  private:
-  /// The newest values, and their mean.
+  /// The newest values, in mm or mm/s relative to the robot, and their mean.
   class Average {
    public:
     void clear() { count_ = 0; }

@@ -4,10 +4,10 @@
 
 namespace gt {
 
-/// Draws the ball and where it rolls within a second, if somebody asks for it.
+/// Draws the ball and the distance that it rolls within a second, if requested.
 void draw(const BallModel& ball, Debug& debug);
 
-/// Draws the team's ball and how uncertain it is, if somebody asks for it.
+/// Draws the team's ball and its uncertainty, if requested.
 void draw(const TeamBallModel& ball, Debug& debug);
 
 }  // namespace gt

@@ -9,7 +9,7 @@
 namespace gt {
 
 /// Solution *PIDSmoothed* of BallLocator: smooths the ball percepts by a controller that follows
-/// them: its proportional part moves the position, its integral part is the speed (report 3.4.1).
+/// them. Its proportional part moves the position, its integral part is the speed (report 3.4.1).
 class PIDSmoothedBallLocator {
  public:
   struct Parameters {
@@ -29,32 +29,38 @@ class PIDSmoothedBallLocator {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field<&P::proportional>("share of a difference by which the position moves", {0, 1}),
-          field<&P::integral>("share of a difference that becomes speed, from image to image",
-                              {0, 1}),
+          field<&P::proportional>(
+              "share of the difference to a percept by which the position moves", {0, 1}),
+          field<&P::integral>(
+              "share of the difference to a percept, per time since the last one, that is added to "
+              "the speed",
+              {0, 1}),
           field<&P::trustedDistance>(
               Unit::mm,
-              "distance at which a percept's distance counts half, since its noise grows with it",
+              "distance of the ball at which a percept's distance, whose noise grows with it, has "
+              "half of the weight",
               {1, 1e5}),
           field<&P::outlierDistance>(Unit::mm, "difference beyond which a percept is doubted",
                                      {0, 1e4}),
-          field<&P::outlierShare>("share of the distance that is added to outlierDistance", {0, 2}),
-          field<&P::outliersBelieved>("number of doubted percepts in a row that are believed",
-                                      {1, 100}),
+          field<&P::outlierShare>("share of the ball's distance that is added to outlierDistance",
+                                  {0, 2}),
+          field<&P::outliersBelieved>(
+              "number of consecutive doubted percepts after which they are accepted", {1, 100}),
           field<&P::forgetPosition>(
               Unit::ms,
-              "time without the ball after which the next percept is believed if it is near",
+              "time without the ball after which the next percept is accepted if it is near",
               {0, 100000}),
           field<&P::believedAtOnce>(
               Unit::mm,
-              "greatest distance at which it is: what is farther away is small in the image and "
-              "often wrong",
+              "greatest distance of a percept that is accepted at once after forgetPosition; "
+              "farther ones are small in the image and often wrong",
               {0, 1e5}),
           field<&P::slowDown>(Unit::perS,
-                              "share of its speed that a rolling ball loses in a second", {0, 10}),
-          field<&P::slowDownUnseen>(Unit::perS, "share by which a ball that is not seen slows down",
-                                    {0, 100}),
-          field<&P::fastestBall>(Unit::mmPerS, "greatest speed that is believed", {1, 1e5}),
+                              "share of the speed that a rolling ball loses in a second", {0, 10}),
+          field<&P::slowDownUnseen>(
+              Unit::perS, "share of the speed that a ball loses in a second while it is not seen",
+              {0, 100}),
+          field<&P::fastestBall>(Unit::mmPerS, "greatest speed of a ball", {1, 1e5}),
           field<&P::longestGap>(
               Unit::ms, "longest time without the ball that does not end the consecutive time seen",
               {0, 10000})};
@@ -62,9 +68,9 @@ class PIDSmoothedBallLocator {
   };
   Parameters parameters;
 
-  /// Provides the ball relative to the robot. Without a new percept it moves with the odometry and
-  /// by its speed; a ball never seen has the time never(). The percept's own place counts, so an
-  /// invalid camera matrix is the ImageProcessor's matter.
+  /// Provides the ball relative to the robot. Without a new percept it is moved by the odometry and
+  /// by its speed. A ball never seen has the time never(). The camera matrix is not checked here:
+  /// the ImageProcessor handles an invalid one.
   void update(const BallPercept& percept, const OdometryData& odometry, const FrameInfo& frame,
               BallModel& model, Debug& debug);
 
@@ -76,7 +82,7 @@ class PIDSmoothedBallLocator {
   void restart(const Vector2d& offset);
 
   BallEstimate ball_;
-  Vector2d doubted_ = Vector2d::Zero();  ///< mm, the last percept that was not believed.
+  Vector2d doubted_ = Vector2d::Zero();  ///< The last doubted percept, mm, relative to the robot.
   int outliers_ = 0;
   Time lastPercept_ = never(), lastUpdate_ = never(), lastDoubted_ = never();
   OdometryData lastOdometry_;

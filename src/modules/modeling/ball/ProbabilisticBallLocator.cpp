@@ -45,8 +45,8 @@ void ProbabilisticBallLocator::update(const BallPercept& percept, const CameraMa
     }
 }
 
-// A rolling ball becomes slower by the same amount all the time until it rests. What the odometry
-// misses moves the ball, the more the further it is away.
+// A rolling ball has a constant deceleration until it rests. Errors of the odometry move the ball,
+// the more the farther away it is.
 void ProbabilisticBallLocator::predict(const Pose2D& step, double seconds) {
   const double c = std::cos(step.rotation), s = std::sin(step.rotation);
   Eigen::Matrix2d turn;
@@ -88,7 +88,8 @@ Eigen::Matrix2d ProbabilisticBallLocator::noiseOf(const Vector2d& seen) const {
          (along * along - across * across) * away * away.transpose();
 }
 
-// A kick changes the speed, not the place: the same ball once more, with a speed that nobody knows.
+// A kick changes the speed, but not the position: adds a copy of the best hypothesis with unknown
+// speed.
 void ProbabilisticBallLocator::addKicked(double seconds) {
   if (count_ == 0 || parameters.kicked <= 0) return;
   const double variance = parameters.newSpeed * parameters.newSpeed;
@@ -103,8 +104,8 @@ void ProbabilisticBallLocator::addKicked(double seconds) {
   }
 }
 
-// Each hypothesis becomes more probable by how well the percept fits, or the percept was a wrong
-// one, which carries no information. The ball may also have been moved to where it is seen now.
+// The weight of a hypothesis is multiplied by the likelihood of the percept. A wrong percept, which
+// carries no information, is one explanation; that the ball was moved to the percept is another.
 void ProbabilisticBallLocator::observe(const BallPercept& percept, double seconds) {
   if (count_ > 0 && percept.time - best().lastSeen > parameters.forgetAfter) count_ = 0;
   addKicked(seconds);
@@ -129,7 +130,7 @@ void ProbabilisticBallLocator::observe(const BallPercept& percept, double second
   fresh.lastSeen = fresh.seenSince = percept.time;
 }
 
-/// Corrects a hypothesis by a percept; returns how probable that percept was, in 1/mm^2.
+/// Corrects a hypothesis by a percept. Returns the probability density of the percept, in 1/mm^2.
 double ProbabilisticBallLocator::correct(Hypothesis& h, const Vector2d& seen,
                                          const Eigen::Matrix2d& noise) const {
   const Eigen::Matrix2d spread = h.covariance.topLeftCorner<2, 2>() + noise;
@@ -144,7 +145,8 @@ double ProbabilisticBallLocator::correct(Hypothesis& h, const Vector2d& seen,
          (2 * pi * std::sqrt(spread.determinant()));
 }
 
-// A near ball in the middle of the image is not overlooked often: it is elsewhere, or hidden.
+// A near ball in the middle of the image is rarely overlooked. If it is not seen, it is probably
+// elsewhere or hidden.
 void ProbabilisticBallLocator::miss(const CameraMatrix& camera) {
   if (!camera.valid) return;
   constexpr double ballHeight = 43, border = 15;  // mm, pixels
@@ -161,7 +163,7 @@ void ProbabilisticBallLocator::miss(const CameraMatrix& camera) {
   }
 }
 
-// Of two that are the same the less probable goes, and so does what is very improbable.
+// Removes the less probable of two similar hypotheses, and very improbable ones.
 void ProbabilisticBallLocator::tidy() {
   const auto begin = hypotheses_.begin();
   std::sort(begin, begin + count_,

@@ -13,8 +13,8 @@
 namespace gt {
 
 /// Solution *Probabilistic* of BallLocator: several hypotheses about the ball's position and speed,
-/// each a Kalman filter in the robot's system that knows how a ball rolls. Percepts that fit none
-/// make a new one: sensor resetting (report 6.2.3).
+/// each a Kalman filter in the robot's system with a model of a rolling ball. Percepts that fit no
+/// hypothesis create a new one: sensor resetting (report 6.2.3).
 class ProbabilisticBallLocator {
  public:
   static constexpr int mostHypotheses = 6;
@@ -40,17 +40,24 @@ class ProbabilisticBallLocator {
       return Fields{
           field<&P::deceleration>(Unit::mmPerS2, "deceleration of a rolling ball", {0, 10000}),
           field<&P::push>(Unit::mmPerSPerRootS,
-                          "standard deviation of what a second adds to a ball's speed by chance",
+                          "standard deviation of a ball's random change of speed in a second",
                           {0, 10000}),
           field<&P::acrossNoise>(
               Unit::mm, "standard deviation of a percept across the line of sight", {1, 1000}),
-          field<&P::acrossShare>("what is added to that, as a share of the distance", {0, 1}),
+          field<&P::acrossShare>(
+              "standard deviation of a percept across the line of sight that is added, as a share "
+              "of the distance",
+              {0, 1}),
           field<&P::alongNoise>(Unit::mm, "standard deviation of a percept along the line of sight",
                                 {1, 1000}),
-          field<&P::alongShare>("what is added to that, as a share of the distance", {0, 1}),
+          field<&P::alongShare>(
+              "standard deviation of a percept along the line of sight that is added, as a share "
+              "of the distance",
+              {0, 1}),
           field<&P::alongTilt>(
               Unit::perMm,
-              "what is added for each mm^2 of the distance squared: the error of the camera's tilt",
+              "standard deviation along the line of sight that is added for each mm^2 of the "
+              "squared distance, by the camera's tilt",
               {0, 1}),
           field<&P::stepNoise>("standard deviation of a step, as a share of its length", {0, 1}),
           field<&P::turnNoise>("standard deviation of a turn, as a share of its angle", {0, 1}),
@@ -63,12 +70,13 @@ class ProbabilisticBallLocator {
           field<&P::newDensity>(Unit::perMm2, "density of balls that were moved or kicked",
                                 {1e-15, 1}),
           field<&P::missed>(
-              "factor of a hypothesis's weight whenever the ball should be seen and is not",
+              "factor to a hypothesis's weight for each image in which the ball should be seen and "
+              "is not",
               {0, 1}),
           field<&P::missedRange>(Unit::mm, "distance within which a ball should be seen",
                                  {0, 10000}),
           field<&P::forgetAfter>(
-              Unit::ms, "time without the ball after which the next percept is believed at once",
+              Unit::ms, "time without the ball after which the next percept is accepted at once",
               {0, 1000000}),
           field<&P::longestGap>(
               Unit::ms, "longest time without the ball that does not end the consecutive time seen",
@@ -77,9 +85,9 @@ class ProbabilisticBallLocator {
   };
   Parameters parameters;
 
-  /// Provides the ball relative to the robot. Without a new percept it moves with the odometry and
-  /// by its speed. Only with a valid camera matrix does a ball that should be in the image and is
-  /// not seen lose weight.
+  /// Provides the ball relative to the robot. Without a new percept it is moved by the odometry and
+  /// by its speed. Hypotheses of a ball that should be in the image and is not seen lose weight,
+  /// but only with a valid camera matrix.
   void update(const BallPercept& percept, const CameraMatrix& camera, const OdometryData& odometry,
               const FrameInfo& frame, BallModel& model, Debug& debug);
 

@@ -26,7 +26,7 @@ const auto sectorBorders = [] {
   return borders;
 }();
 
-/// Whether a place lies in a sector and not right on its border: known without its angle.
+/// Returns whether a point clearly lies within a sector, without computing its angle.
 bool isWellWithin(int sector, const Vector2d& place, double distance) {
   if (sector < 0) return false;
   const auto cross = [](const Vector2d& a, const Vector2d& b) {
@@ -59,8 +59,8 @@ void DefaultObstaclesLocator::update(const ObstaclesPercept& percept, const PsdP
   draw(camera, debug);
 }
 
-// The representatives move against the robot, and some leave their sectors. Where two come to lie
-// in one, the nearer is kept (report 3.5.2).
+// Moves the representatives against the robot's motion; some leave their sectors. If two come to
+// lie in one sector, the nearer one is kept (report 3.5.2).
 void DefaultObstaclesLocator::move(const Pose2D& step, Time now) {
   for (ObstaclesModel::SeenGoal& goal : model_.goals) {
     goal.left = relative(step, goal.left);
@@ -73,9 +73,8 @@ void DefaultObstaclesLocator::move(const Pose2D& step, Time now) {
       model_.enter(relative(step, sector.representative), sector.obstacle, sector.lastSeen);
 }
 
-// First all that was seen to be free is freed, then obstacles are entered where they were seen:
-// what was known nearer than the image's lower border stays, all else gives way (report 3.5.1,
-// figure 3.13).
+// First all ground seen to be free is cleared, then the seen obstacles are entered. Known obstacles
+// nearer than the image's lower border stay, all others are replaced (report 3.5.1, figure 3.13).
 void DefaultObstaclesLocator::seeImage(const ObstaclesPercept& percept, const BallModel& ball,
                                        const CameraMatrix& camera) {
   sure_.clear();
@@ -91,7 +90,8 @@ void DefaultObstaclesLocator::seeImage(const ObstaclesPercept& percept, const Ba
   }
 }
 
-// A camera matrix that errs by an angle errs the more in distance the farther away it looks.
+// Shortens free ground to allow for an error of the camera matrix. An error of the tilt causes an
+// error of distance that grows with the distance.
 FreeGround DefaultObstaclesLocator::surelyFree(const FreeGround& line,
                                                const CameraMatrix& camera) const {
   const double height = camera.pose.translation.z();
@@ -107,8 +107,8 @@ FreeGround DefaultObstaclesLocator::surelyFree(const FreeGround& line,
   return sure;
 }
 
-// The sensor's ray passes over what is lower than itself: only that part of it says something that
-// is low enough.
+// The sensor's ray passes over obstacles that are lower. Only the part of the ray that is low
+// enough shows free ground.
 void DefaultObstaclesLocator::seePsd(const PsdPercept& psd, const CameraMatrix& camera) {
   const Vector3d start = camera.pose.translation, way = psd.offset - start;
   const Vector2d hit = psd.offset.head<2>();
@@ -157,8 +157,8 @@ void DefaultObstaclesLocator::clear(const Vector2d& from, const Vector2d& to) {
   free();
 }
 
-// What is seen of a goal is free. An edge on the image's border is not the end of that: as long
-// as it was seen further, that counts.
+// The direction of a seen goal is free. An edge on the image's border is not the end of the goal;
+// if the goal was seen to extend farther before, that still counts.
 void DefaultObstaclesLocator::seeGoal(const GoalPercept& percept,
                                       const LandmarksPercept& landmarks) {
   ObstaclesModel::SeenGoal& goal = model_.goals[percept.color];

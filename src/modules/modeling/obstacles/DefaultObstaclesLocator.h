@@ -34,36 +34,36 @@ class DefaultObstaclesLocator {
           field<&P::usePsd>("whether the distance sensor counts; it did not in the competition"),
           field<&P::psdAgreement>(
               Unit::mm,
-              "the distance sensor's obstacle counts if the reading before was no farther off: "
-              "reflections are not; 0: every reading counts",
+              "greatest distance between two consecutive readings of the distance sensor that "
+              "count, which rejects reflections; 0: all count",
               {0, 10000}),
           field<&P::forgetAfter>(Unit::ms,
                                  "time after which a sector that is not seen again is forgotten",
                                  {100, 100000}),
           field<&P::caution>(
-              Unit::rad,
-              "angle by which what stands at the end of free ground may be seen too high",
-              {0, 0.2}),
+              Unit::rad, "angle by which the end of free ground may be seen too high", {0, 0.2}),
           field<&P::ballSize>(
               Unit::mm,
-              "distance from the ball within which the end of free ground is the ball, no obstacle",
+              "distance from the ball within which the end of free ground is no obstacle, but the "
+              "ball",
               {0, 1000}),
-          field<&P::ballTime>(Unit::ms, "time since the ball was seen for which that holds",
-                              {0, 10000}),
+          field<&P::ballTime>(
+              Unit::ms, "time since the ball was seen during which ballSize applies", {0, 10000}),
           field<&P::lowestObstacle>(
               Unit::mm,
-              "height of the lowest obstacle, which the distance sensor must not look over",
+              "height of the lowest obstacle; where the distance sensor's ray is higher, it does "
+              "not free the ground",
               {1, 1000}),
           field<&P::highestObstacle>(
-              Unit::mm, "height above which what the distance sensor hits is no obstacle",
+              Unit::mm, "height above which a point measured by the distance sensor is no obstacle",
               {1, 10000})};
     }
   };
   Parameters parameters;
 
-  /// Provides the obstacles around the robot. Without new percepts they move with the odometry and
-  /// are forgotten with age. The distance sensor counts with a valid camera matrix only, free
-  /// ground also without.
+  /// Provides the obstacles around the robot. Without new percepts they are moved by the odometry
+  /// and forgotten with age. The distance sensor counts only with a valid camera matrix, free
+  /// ground also without one.
   void update(const ObstaclesPercept& percept, const PsdPercept& psd,
               const LandmarksPercept& landmarks, const BallModel& ball, const CameraMatrix& camera,
               const OdometryData& odometry, const FrameInfo& frame, ObstaclesModel& model,
@@ -79,10 +79,10 @@ class DefaultObstaclesLocator {
   void draw(const CameraMatrix& camera, Debug& debug) const;
 
   ObstaclesModel model_;
-  Vector2d psdHit_ = Vector2d::Zero();  ///< Of the last reading, relative to the robot.
+  Vector2d psdHit_ = Vector2d::Zero();  ///< Of the last reading, mm, relative to the robot.
   bool first_ = true;
   OdometryData lastOdometry_;
-  std::vector<FreeGround> sure_;  ///< Of the last image.
+  std::vector<FreeGround> sure_;  ///< Surely free ground in the last image.
   Time lastPicture_ = never(), lastPsd_ = never(), lastLandmarks_ = never();
 };
 

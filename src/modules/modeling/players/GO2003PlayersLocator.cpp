@@ -12,7 +12,7 @@ const DebugKey drawGrid{"PlayersLocator/distribution"};
 
 constexpr std::size_t mostSightings = 512;
 
-/// A point outside of a rectangle about the origin moves to its border, on the line to `from`.
+/// Moves a point outside of a rectangle about the origin to its border, on the line to `from`.
 Vector2d projectedToBorder(const Vector2d& from, const Vector2d& point, const Vector2d& half) {
   const Vector2d start = from.cwiseMax(-half).cwiseMin(half), way = point - start;
   double share = 1;
@@ -86,7 +86,7 @@ double GO2003PlayersLocator::weight(const Sighting& sighting, Time now) const {
   return 1 - static_cast<double>(now - sighting.time) / static_cast<double>(parameters.memory);
 }
 
-// The percepts in each cell, spread in the direction of x, then in that of y.
+// Counts the percepts in each cell and smooths the counts in the direction of x, then of y.
 void GO2003PlayersLocator::distribute(Team& team, Time now) {
   const auto cells = static_cast<std::size_t>(columns_ * rows_);
   team.density.assign(cells, 0);
@@ -115,8 +115,8 @@ void GO2003PlayersLocator::distribute(Team& team, Time now) {
   spread(smoothed_, team.density, columns_, rows_);
 }
 
-// The maxima of the distribution, the most distinct first, each as the mean of the percepts around
-// it; none where a player is already.
+// Appends a player for each maximum of the distribution, the highest first, at the mean of the
+// percepts around it. Maxima near a player that is already in the list are skipped.
 void GO2003PlayersLocator::locate(Team& team, Time now, std::vector<LocatedPlayer>& players) {
   const auto density = [&](int i) { return team.density[static_cast<std::size_t>(i)]; };
   maxima_.clear();

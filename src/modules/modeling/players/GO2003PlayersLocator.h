@@ -34,25 +34,27 @@ class GO2003PlayersLocator {
           field<&P::memory>(Unit::ms, "time for which a percept is kept", {40, 10000}),
           field<&P::cell>(Unit::mm, "side of a cell of the grid", {20, 1000}),
           field<&P::spread>(Unit::mm,
-                            "standard deviation with which a percept counts around its cell",
+                            "standard deviation of the distribution of a percept around its cell",
                             {10, 1000}),
           field<&P::threshold>(
-              "number of percepts in one place that make a player; old ones count less", {0, 100}),
+              "number of percepts in one place from which on they are a player; old ones count "
+              "less",
+              {0, 100}),
           field<&P::playerSize>(Unit::mm, "distance below which two players are the same one",
                                 {0, 2000}),
-          field<&P::outside>(Unit::mm,
-                             "distance outside of the field from which on a percept is no player",
-                             {0, 10000}),
-          field<&P::silence>(Unit::ms, "time after which a teammate's position is too old",
+          field<&P::outside>(
+              Unit::mm, "distance from the field beyond which a percept is no player", {0, 10000}),
+          field<&P::silence>(Unit::ms,
+                             "time without a message after which a teammate's position is ignored",
                              {0, 100000}),
-          field<&P::leastValidity>("least validity of a teammate's pose that is believed", {0, 1})};
+          field<&P::leastValidity>("least validity of a teammate's pose that is used", {0, 1})};
     }
   };
   Parameters parameters;
 
-  /// Provides the players on the field. Without a new percept those known stay where they are until
-  /// they are forgotten; teammates are also where their messages state. Percepts count whether or
-  /// not the camera matrix was valid.
+  /// Provides the players on the field. Without a new percept known players stay at their positions
+  /// until they are forgotten. Teammates are also located by their messages. Percepts count whether
+  /// or not the camera matrix was valid.
   void update(const PlayersPercept& percept, const RobotPose& robotPose,
               const TeamMessages& messages, const FieldDimensions& field, const Player& player,
               const FrameInfo& frame, PlayersCollection& players, Debug& debug);

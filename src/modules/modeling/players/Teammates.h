@@ -9,19 +9,19 @@
 
 namespace gt {
 
-/// Which messages of teammates are believed.
+/// The condition under which messages of teammates are used.
 struct MessageRule {
-  std::int64_t silence;  ///< ms after which one is too old.
-  double leastValidity;  ///< Of its pose.
+  std::int64_t silence;  ///< Time (ms) after which a message is too old.
+  double leastValidity;  ///< Least validity of the sender's pose.
 
   bool accepts(const TeamMessages::Received& received, const Player& player, Time now) const;
 };
 
-/// Appends the teammates whose messages are believed, where they sent that they are (report 3.7.2).
+/// Appends the teammates whose messages are used, at the positions that they sent (report 3.7.2).
 void addMates(const TeamMessages& messages, const MessageRule& rule, const Player& player, Time now,
               std::vector<LocatedPlayer>& players);
 
-/// The place on the field that is nearest to a place.
+/// The point on the field that is nearest to a point (mm).
 inline Vector2d nearestOnField(const Vector2d& place, const FieldDimensions& field) {
   const Vector2d half{field.xGroundline, field.ySideline};
   return place.cwiseMax(-half).cwiseMin(half);

@@ -73,8 +73,8 @@ void TrackingPlayersLocator::predict(Tracks& tracks, Time now, double seconds) c
     track.covariance.diagonal().array() += squared(parameters.walk) * seconds;
 }
 
-// Percepts and players that are nearest to each other belong together, one to one; a percept that
-// fits nobody is a new player.
+// Assigns percepts and players that are nearest to each other, one to one. A percept that fits no
+// player becomes a new player.
 void TrackingPlayersLocator::observe(const std::vector<Vector2d>& seen, Time time,
                                      const RobotPose& robotPose, const FieldDimensions& field,
                                      Tracks& tracks) const {
@@ -116,7 +116,7 @@ void TrackingPlayersLocator::observe(const std::vector<Vector2d>& seen, Time tim
   std::ranges::sort(tracks, std::greater{}, &Track::certainty);
 }
 
-// A player whose middle is well within the image is seen, if it is not far away.
+// Expects a player to be seen if its middle is well within the image and it is not far away.
 void TrackingPlayersLocator::miss(const CameraMatrix& camera, const RobotPose& robotPose,
                                   Tracks& tracks) const {
   constexpr double height = 100, border = 20;  // mm, pixels
@@ -163,8 +163,8 @@ void TrackingPlayersLocator::collect(const std::vector<LocatedPlayer>& own,
   std::ranges::sort(reports_, std::less{}, &Report::variance);
 }
 
-// Reports of one opponent by several robots become their mean, weighted by inverse variance. A
-// robot reports each opponent once.
+// Merges reports of one opponent by several robots into their mean, weighted by the inverse
+// variances. A robot reports each opponent once.
 void TrackingPlayersLocator::merge(std::vector<LocatedPlayer>& players) {
   players.clear();
   for (std::size_t i = 0; i < reports_.size() && players.size() < 4; ++i) {

@@ -15,9 +15,9 @@
 
 namespace gt {
 
-/// Solution *Tracks* of PlayersLocator: a Kalman filter for each player that the robot sees, and
-/// the opponents of the whole team, which all robots report to each other. In the report (3.7) each
-/// robot knows the opponents alone that it has seen within two seconds.
+/// Solution *Tracks* of PlayersLocator: tracks each player that the robot sees by a Kalman filter,
+/// and merges the opponents that all robots of the team report to each other. In the report (3.7) a
+/// robot only knows the opponents that it has seen itself within two seconds.
 class TrackingPlayersLocator {
  public:
   struct Parameters {
@@ -45,64 +45,70 @@ class TrackingPlayersLocator {
                             {40, 60000}),
           field<&P::walk>(
               Unit::mm,
-              "standard deviation of how far a player walks within a second, and by its root in "
-              "longer times",
+              "standard deviation of a player's displacement in a second; grows with the square "
+              "root of time",
               {0, 1000}),
-          field<&P::alongShare>("standard deviation of a percept's distance, as a share of it",
-                                {0, 1}),
+          field<&P::alongShare>(
+              "standard deviation of a percept's distance, as a share of the distance", {0, 1}),
           field<&P::acrossShare>(
               "standard deviation of a percept across the line of sight, as a share of the "
               "distance",
               {0, 1}),
-          field<&P::leastNoise>(Unit::mm, "what both have at least", {1, 1000}),
+          field<&P::leastNoise>(
+              Unit::mm, "least standard deviation of a percept along and across the line of sight",
+              {1, 1000}),
           field<&P::farthest>(Unit::mm, "distance up to which percepts count", {0, 10000}),
-          field<&P::gate>("standard deviations up to which a percept is that of a known player",
-                          {0.1, 10}),
+          field<&P::gate>(
+              "greatest difference, in standard deviations, of a percept and the player that it is "
+              "assigned to",
+              {0.1, 10}),
           field<&P::playerSize>(Unit::mm, "distance below which two players are the same one",
                                 {0, 2000}),
-          field<&P::outside>(Unit::mm,
-                             "distance outside of the field from which on a percept is no player",
-                             {0, 10000}),
-          field<&P::seen>("share of the doubt in a player that a percept takes away", {0, 1}),
+          field<&P::outside>(
+              Unit::mm, "distance from the field beyond which a percept is no player", {0, 10000}),
+          field<&P::seen>("share of the uncertainty of a player's existence that a percept removes",
+                          {0, 1}),
           field<&P::missed>("factor to the certainty of a player that should be seen and is not",
                             {0, 1}),
           field<&P::known>("certainty from which on a player counts", {0, 1}),
           field<&P::missedRange>(
               Unit::mm, "distance up to which a player in the image is expected to be seen",
               {0, 10000}),
-          field<&P::poseNoise>(Unit::mm,
-                               "standard deviation of where a teammate's pose puts what it sees",
-                               {0, 1000}),
+          field<&P::poseNoise>(
+              Unit::mm,
+              "standard deviation that a teammate's pose adds to the opponents that it reports",
+              {0, 1000}),
           field<&P::silence>(Unit::ms, "time after which a teammate's message is too old",
                              {0, 100000}),
-          field<&P::leastValidity>("least validity of a teammate's pose that is believed", {0, 1})};
+          field<&P::leastValidity>("least validity of a teammate's pose that is used", {0, 1})};
     }
   };
   Parameters parameters;
 
-  /// Provides the players on the field. Without a new percept those known become less certain with
-  /// time. Percepts count whether or not the camera matrix is valid; that a player is not seen
-  /// counts with a valid one only.
+  /// Provides the players on the field. Without a new percept the positions of known players become
+  /// less certain with time. Percepts count whether or not the camera matrix is valid. That a
+  /// player is not seen counts only with a valid matrix.
   void update(const PlayersPercept& percept, const CameraMatrix& camera, const RobotPose& robotPose,
               const TeamMessages& messages, const FieldDimensions& field, const Player& player,
               const FrameInfo& frame, PlayersCollection& players, Debug& debug);
 
  private:
-  /// A player as the own percepts have it, on the field.
+  /// A player on the field, tracked by the robot's own percepts.
   struct Track {
     Vector2d position;           ///< mm
     Eigen::Matrix2d covariance;  ///< mm^2
     Time lastSeen;
-    double certainty = 0;  ///< That it exists, from 0 to 1.
-    bool matched = false;  ///< By a percept of this image.
+    double certainty = 0;  ///< Probability that it exists, from 0 to 1.
+    bool matched = false;  ///< Whether a percept of this image was assigned to it.
   };
   /// An opponent as one robot reports it.
   struct Report {
     Vector2d position;  ///< mm, on the field
     double variance;    ///< mm^2
-    Time lastSeen;      ///< by the own clock
+    Time lastSeen;      ///< by the robot's own clock
     double certainty;
-    std::size_t robot;  ///< Index of its message; of the robot itself one more than there are.
+    /// Index of the sender's message; the robot itself has the index after the last message.
+    std::size_t robot;
     bool merged = false;
   };
   using Tracks = std::vector<Track>;

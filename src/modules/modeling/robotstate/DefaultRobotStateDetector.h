@@ -20,7 +20,8 @@ class DefaultRobotStateDetector {
   };
   Parameters parameters;
 
-  /// Provides the body's state and the switches. Without new sensor readings the state stays.
+  /// Provides the body's state and the switches. Without new sensor readings the state does not
+  /// change.
   void update(const BodyPercept& body, const FrameInfo& frame, RobotState& state);
 
  private:

@@ -12,9 +12,11 @@ namespace gt {
 
 /// A measured bearing on a vertical edge of a landmark, seen from the camera (report 3.3.2.2).
 struct Bearing {
-  Vector2d landmark;   ///< Where the flag's axis or the goal's post stands on the field, in mm.
-  double radius;       ///< Of the flag in mm: + its left edge, - its right edge, 0 a post.
-  Vector2d direction;  ///< Unit vector to the edge, in the robot's system.
+  Vector2d landmark;  ///< Position of the flag's axis or the goal's post on the field, in mm.
+  /// Radius of the flag in mm; positive for its left edge, negative for its right edge, 0 for a
+  /// post.
+  double radius;
+  Vector2d direction;  ///< Unit vector from the camera to the edge, in the robot's system.
 };
 
 /// The bearings of one image: two edges of each of six flags, two posts of each of two goals.
@@ -29,17 +31,18 @@ struct Bearings {
   const Bearing* end() const { return list.data() + count; }
 };
 
-/// Where a goal's front post stands that is seen at the left or at the right of the goal.
+/// Position (mm, on the field) of the front post that is seen at the left or at the right of a
+/// goal.
 inline Vector2d positionOfPost(GoalColor color, bool left, TeamColor team,
                                const FieldDimensions& field) {
   const double side = color == ownGoal(team) ? -1 : 1;
   return {side * field.xGroundline, (left ? side : -side) * field.yGoal};
 }
 
-/// All edges that do not lie on the image's border.
+/// The bearings of all edges that do not lie on the image's border.
 Bearings bearingsIn(const LandmarksPercept& percept, TeamColor team, const FieldDimensions& field);
 
-/// A bearing as a loop over particles needs it.
+/// A bearing in single precision, for loops over particles.
 struct BearingTerms {
   float landmarkX, landmarkY, radius, directionX, directionY;
 
@@ -50,9 +53,9 @@ struct BearingTerms {
         directionX{static_cast<float>(bearing.direction.x())},
         directionY{static_cast<float>(bearing.direction.y())} {}
 
-  /// How far the measured bearing lies beside the one expected from a camera at (x, y) on the
-  /// field, carried by a robot whose rotation has that cosine and sine; in [-pi, pi] (report
-  /// (3.10)).
+  /// The difference (rad, in [-pi, pi]) between the measured bearing and the one expected from a
+  /// camera at (x, y) on the field (mm), on a robot with the given cosine and sine of its rotation
+  /// (report (3.10)).
   float deviation(float x, float y, float cosine, float sine) const {
     const float vx = landmarkX - x, vy = landmarkY - y;
     const float wx = cosine * vx + sine * vy, wy = cosine * vy - sine * vx;

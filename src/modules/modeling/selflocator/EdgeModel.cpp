@@ -8,7 +8,7 @@
 namespace gt {
 namespace {
 
-/// What all particles have in common when they are compared with one point.
+/// Terms of the comparison with one point that are the same for all particles.
 struct PointTerms {
   float pointX, pointY;    ///< Relative to the robot.
   float cameraX, cameraY;  ///< Relative to the robot.

@@ -13,16 +13,16 @@
 
 namespace gt {
 
-/// A point on an edge that was chosen from an image's, relative to the robot.
+/// A point on an edge that was chosen from those of an image (mm, relative to the robot).
 struct ChosenPoint {
   EdgeType type;
   Vector2d point;
 };
 
-/// Judges particles by points on edges, corrects them, and draws new ones from what was seen
-/// (report 3.3.3). Shared by all self-locators that use edges. The constants are the report's but
-/// for the number of points, which was 1 for want of time, and the correction, of which its text
-/// tells none.
+/// Computes likelihoods of particles from points on edges, corrects the particles, and draws new
+/// ones from the points (report 3.3.3). Shared by all self-locators that use edges. The constants
+/// are the report's except the number of points, which was 1 for lack of computing time, and the
+/// correction, for which its text states no constant.
 class EdgeModel {
  public:
   struct Parameters {
@@ -46,34 +46,37 @@ class EdgeModel {
           field<&P::verticalWeight>("weight of vertical angles while the robot stands, (3.18)",
                                     {0, 1e5}),
           field<&P::verticalWeightLoss>("loss of that weight at full speed, (3.18)", {0, 1e5}),
-          field<&P::fastest>(Unit::mmPerS, "the full speed, (3.18)", {1, 1e4}),
+          field<&P::fastest>(Unit::mmPerS, "speed of the robot that counts as full speed, (3.18)",
+                             {1, 1e4}),
           field<&P::horizontalWeight>("weight of horizontal angles, (3.18)", {0, 1e5}),
           field<&P::rise>("greatest rise of a likelihood by one point, (3.19)", {0, 1}),
           field<&P::fall>("greatest fall of a likelihood by one point, (3.19)", {0, 1}),
           field<&P::correction>(
-              "share of the way to the edge by which a near point corrects a particle, standing",
+              "share of the distance to the edge by which a near point corrects a particle of a "
+              "standing robot",
               {0, 1}),
           field<&P::correctionRange>(Unit::mm, "distance at which a point corrects half as much",
                                      {1, 1e5}),
           field<&P::correctionLimit>(
               Unit::mm, "distance from the edge beyond which a point corrects nothing", {0, 1e5}),
-          field<&P::farthest>(Unit::mm, "points that are farther away are not used", {0, 1e5}),
+          field<&P::farthest>(Unit::mm, "greatest distance of points that are used", {0, 1e5}),
           field<&P::newLikelihood>("likelihood of a new particle, as a share of the average",
                                    {0, 1})};
     }
   };
 
-  /// Looks up the tables of a field; computes them if it is another one than before.
+  /// Prepares the tables of a field; computes them if the field or the team has changed.
   void prepare(const FieldDimensions& field, TeamColor team);
-  /// Chooses so many points of each type in an image by chance, none of them `farthest` (mm) away
-  /// or more.
+  /// Chooses up to `points` points of each type in an image at random, and skips those that are
+  /// `farthest` (mm) away or more.
   void choose(const LinesPercept& percept, int points, double farthest, Random& random);
-  /// Filters the likelihood of lines, border and goals of all particles by the chosen points, and
-  /// draws the particles towards the edges (report (3.17) to (3.19), 3.3.3.3). The speed in mm/s.
+  /// Updates the likelihoods of lines, border and goals of all particles by the chosen points, and
+  /// moves the particles towards the edges (report (3.17) to (3.19), 3.3.3.3). `camera` is its
+  /// position relative to the robot (mm), `speed` that of the robot (mm/s).
   void observe(const Parameters& parameters, const Vector3d& camera, double speed,
                ParticleSet& particles);
-  /// Replaces particles that are improbable in relation to the others by poses from which one of
-  /// the chosen points might have been seen (3.21).
+  /// Replaces particles that are improbable relative to the others by poses from which one of the
+  /// chosen points may have been seen (3.21).
   void replaceImprobable(const Parameters& parameters, ParticleSet& particles,
                          Random& random) const;
 
@@ -91,7 +94,7 @@ class EdgeModel {
   std::vector<float> modelX_, modelY_;  ///< The closest model point of each particle.
 };
 
-/// Which likelihood an edge is.
+/// The likelihood to which an edge contributes.
 constexpr Likelihood likelihoodOf(EdgeType type) {
   return type == EdgeType::line     ? Likelihood::lines
          : type == EdgeType::border ? Likelihood::border

@@ -8,38 +8,40 @@
 
 namespace gt {
 
-/// What the lines self-locator looks up instead of computing it: for each type of edge the closest
-/// model point of each place (report 3.3.3.1), and the poses from which an edge is seen at a
-/// distance (3.3.3.2). Computed once for a field.
+/// Lookup tables of the self-locator Lines: for each type of edge the closest model point of each
+/// place (report 3.3.3.1), and the poses from which an edge is seen at a distance (3.3.3.2).
+/// Computed once for a field. Lengths in mm, on the field.
 class EdgeTables {
  public:
   struct Point {
     float x, y;
   };
 
-  /// An edge near a cell: a point on it, and where to it lies from the cell, as a unit vector.
+  /// An edge near a cell: a point on it, and the unit vector from the cell to it, perpendicular to
+  /// the edge.
   struct Edge {
     Point point, normal;
   };
 
   EdgeTables(const FieldDimensions& field, TeamColor team);
 
-  /// The edge of a type that is nearest to the cell in which a place lies; beyond the table, to the
-  /// nearest cell.
+  /// The edge of a type that is nearest to the cell of a place; for places outside of the table, to
+  /// the nearest cell.
   const Edge& nearest(EdgeType type, float x, float y) const {
     return edges_[type][static_cast<std::size_t>(row(y) * columns_ + column(x))];
   }
-  /// The point on that edge, taken for a straight one, that is nearest to the place.
+  /// The point on the nearest edge, approximated by a straight line, that is nearest to the place.
   Point closest(EdgeType type, float x, float y) const {
     const Edge& edge = nearest(type, x, y);
     const float distance = (edge.point.x - x) * edge.normal.x + (edge.point.y - y) * edge.normal.y;
     return {x + distance * edge.normal.x, y + distance * edge.normal.y};
   }
 
-  /// How many poses see an edge of a type at about the distance (mm) of a point.
+  /// The number of poses from which an edge of a type is seen at about the distance of a point (mm,
+  /// relative to the robot).
   std::size_t posesCount(EdgeType type, const Vector2d& seen) const;
-  /// One of the poses from which an edge of a type is seen at a point, given relative to the robot.
-  /// There must be some.
+  /// A random one of the poses from which an edge of a type is seen at a point (mm, relative to the
+  /// robot). posesCount must not be 0.
   Pose2D drawPose(EdgeType type, const Vector2d& seen, Random& random) const;
 
   double resolution() const { return resolution_; }

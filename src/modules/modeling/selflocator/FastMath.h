@@ -6,8 +6,8 @@
 
 namespace gt {
 
-/// atan2 by a polynomial, 2e-5 rad exact: what is compared with measured angles needs no more.
-/// Without branches, so that a loop over particles computes several at once; 0 of (0, 0).
+/// atan2 by a polynomial, with errors up to 2e-5 rad, which suffices for comparisons with measured
+/// angles. Without branches, so that loops over particles are vectorized. Returns 0 for (0, 0).
 inline float fastAtan2(float y, float x) {
   constexpr float straight = std::numbers::pi_v<float>;
   const float ax = std::abs(x), ay = std::abs(y);
@@ -20,7 +20,8 @@ inline float fastAtan2(float y, float x) {
   return y < 0 ? -a : a;
 }
 
-/// exp for numbers that are not positive, by a polynomial: 1e-5 of it exact; below -80 as for -80.
+/// exp by a polynomial for numbers that are not positive, with a relative error up to 1e-5. Numbers
+/// below -80 are replaced by -80.
 inline float fastExp(float x) {
   const float t = (x > -80.f ? x : -80.f) * std::numbers::log2e_v<float>;
   const auto whole = static_cast<std::int32_t>(t - 0.5f);

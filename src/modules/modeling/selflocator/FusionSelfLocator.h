@@ -5,9 +5,9 @@
 
 namespace gt {
 
-/// A self-locator with few particles, which the single landmark self-locator keeps where the robot
-/// is: its pose replaces improbable particles, as often as it is valid (report 3.3.1.2). `Seen` is
-/// what the particles are judged by besides landmarks.
+/// A self-locator with few particles that is supported by the single landmark self-locator: its
+/// pose replaces improbable particles, with its validity as the probability (report 3.3.1.2).
+/// `Seen` are the percepts other than landmarks by which particles are weighted.
 template <typename Particles, typename... Seen>
 class FusionOf {
  public:
@@ -21,7 +21,8 @@ class FusionOf {
   };
   Parameters parameters;
 
-  /// Provides the pose. Without a new percept it follows the odometry; see ParticleLocalization.
+  /// Provides the robot's pose on the field. Without a new percept the pose is moved by the
+  /// odometry; see ParticleLocalization.
   void update(const LandmarksPercept& landmarks, const Seen&... seen, const OdometryData& odometry,
               const FieldDimensions& field, const Player& player, RobotPose& robotPose,
               Random& random, Debug& debug) {
@@ -37,7 +38,7 @@ class FusionOf {
   RobotPose candidate_;
 };
 
-/// Solution *Fusion* of SelfLocator.
+/// Solution *Fusion* of SelfLocator: uses landmarks only.
 using FusionSelfLocator = FusionOf<MonteCarloSelfLocator>;
 /// Solution *Fusion2003* of SelfLocator (report 3.3).
 using Fusion2003SelfLocator = FusionOf<GT2003SelfLocator, LinesPercept, CameraMatrix>;

@@ -4,8 +4,8 @@
 
 namespace gt {
 
-/// Solution *GT2003* of SelfLocator: finds the robot's pose with all that is seen, bearings on
-/// flags and goals as MonteCarlo, points on edges as Lines (report 3.3). The probability of a
+/// Solution *GT2003* of SelfLocator: estimates the robot's pose from all percepts, bearings on
+/// flags and goals as in MonteCarlo, points on edges as in Lines (report 3.3). The probability of a
 /// particle is the product of four likelihoods: of landmarks, field lines, border and goals.
 class GT2003SelfLocator {
  public:
@@ -21,7 +21,7 @@ class GT2003SelfLocator {
     }
     static constexpr auto fields() {
       using P = Parameters;
-      return Fields{field<&P::particles>("number of hypotheses", {1, 10000}), field<&P::motion>(),
+      return Fields{field<&P::particles>("number of particles", {1, 10000}), field<&P::motion>(),
                     field<&P::landmarks>(), field<&P::templates>(), field<&P::edges>()};
     }
   };
@@ -29,7 +29,8 @@ class GT2003SelfLocator {
   static constexpr std::initializer_list<Likelihood> kinds{Likelihood::landmarks, Likelihood::lines,
                                                            Likelihood::border, Likelihood::goals};
 
-  /// Provides the pose. Without a new percept it follows the odometry; see ParticleLocalization.
+  /// Provides the robot's pose on the field. Without a new percept the pose is moved by the
+  /// odometry; see ParticleLocalization.
   void update(const LandmarksPercept& landmarks, const LinesPercept& lines,
               const CameraMatrix& camera, const OdometryData& odometry,
               const FieldDimensions& field, const Player& player, RobotPose& robotPose,

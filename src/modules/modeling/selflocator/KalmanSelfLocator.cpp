@@ -19,7 +19,8 @@ double squared(double x) {
   return x * x;
 }
 
-/// A bearing on the edge of a flag or a goal, as seen by a hypothesis (report (3.10)).
+/// The measurement of a bearing on the edge of a flag or a goal, relative to a hypothesis (report
+/// (3.10)).
 ScalarMeasurement bearingOf(const Bearing& bearing, const Vector2d& cameraOffset,
                             const PoseHypothesis& hypothesis, double variance, double panVariance) {
   const Pose2D& pose = hypothesis.pose();
@@ -37,7 +38,7 @@ ScalarMeasurement bearingOf(const Bearing& bearing, const Vector2d& cameraOffset
           variance + panVariance};
 }
 
-/// The distance of a flag, as seen by a hypothesis.
+/// The measurement of the distance of a flag, relative to a hypothesis.
 ScalarMeasurement distanceOf(const FlagPercept& flag, const Vector2d& position, const Pose2D& pose,
                              double relativeError) {
   const Vector2d way = position - pose.translation;
@@ -86,8 +87,8 @@ void KalmanSelfLocator::update(const LandmarksPercept& landmarks, const LinesPer
   gt::draw(edges_, field, robotPose.pose, debug);
 }
 
-/// The longer a step, the less it is known: errors of steps that follow each other are alike over
-/// some way, which makes their variances larger than those of each step.
+/// The longer a step, the larger its error. Errors of consecutive steps are correlated over some
+/// distance, so their sum has a larger variance than that of independent errors.
 void KalmanSelfLocator::move(const OdometryData& odometry, Time now) {
   constexpr double likeWay = 150, likeTurn = 0.5;  // mm, rad
   if (!started_) {
@@ -112,7 +113,7 @@ void KalmanSelfLocator::move(const OdometryData& odometry, Time now) {
   view_.move(step);
 }
 
-/// The camera of the next image errs otherwise than that of the last one.
+/// Predicts the errors of the camera in the next image, which differ from those in the last one.
 void KalmanSelfLocator::turnCamera(const CameraMatrix& camera) {
   panSpeed_ = camera.turning.z();
   const CameraErrors errors = cameraErrors();
@@ -129,7 +130,8 @@ CameraErrors KalmanSelfLocator::cameraErrors() const {
           p.leanMemory};
 }
 
-/// What the best hypothesis says of the camera's errors in this image tells how large they are.
+/// Adapts the variances of the camera's errors to those that the best hypothesis has estimated in
+/// this image.
 void KalmanSelfLocator::learnCameraErrors() {
   if (hypotheses_.empty() || hypotheses_.front().fit < goodFit) return;
   const Parameters& p = parameters;
@@ -182,8 +184,8 @@ void KalmanSelfLocator::observeLandmarks(const LandmarksPercept& percept,
   }
 }
 
-/// A point on an edge, as seen by a hypothesis. An error of tilt or roll lengthens the view, one of
-/// the pan turns it.
+/// The measurement of a point on an edge, relative to a hypothesis. An error of tilt or roll
+/// changes the distance of the point, an error of the pan its direction.
 ScalarMeasurement KalmanSelfLocator::measurementOf(const ChosenPoint& chosen,
                                                    const Vector3d& camera,
                                                    const PoseHypothesis& hypothesis) const {
@@ -228,8 +230,8 @@ void KalmanSelfLocator::observeEdges(const Vector3d& camera) {
   }
 }
 
-/// The more of an image fits, the better the hypothesis; many measurements count as a few, since
-/// they are not independent.
+/// Updates the weight of a hypothesis by the average fit of an image's measurements. Many
+/// measurements count as a few, because they are not independent.
 double KalmanSelfLocator::judge(Hypothesis& hypothesis, double likelihoods, int count,
                                 double importance) const {
   constexpr double follow = 0.15;
@@ -246,16 +248,17 @@ void KalmanSelfLocator::addFromLandmarks(Random& random) {
     if (const auto pose = templates_.take(random)) add(*pose, parameters.newWeight);
 }
 
-/// Whether what fitted up to now does not fit any more: the robot was put somewhere else.
+/// Returns whether a hypothesis that fitted before does not fit any more: the robot was put
+/// somewhere else.
 bool KalmanSelfLocator::isElsewhere() const {
   return !hypotheses_.empty() && hypotheses_.front().fit > badFit &&
          hypotheses_.front().surprises >= 2;
 }
 
-/// Where one thing could have been seen from is nearly everywhere: of many such poses the one is
-/// taken that fits best to all that was seen of late, and only while nothing else fits. If the best
-/// hypothesis fits badly, the pose need not prove itself: it begins as far before or behind it as
-/// it agrees better or worse with what was seen.
+/// A single measurement could have been seen from nearly everywhere. Of many poses drawn from it,
+/// the one that fits the recent measurements best is added, and only while no hypothesis fits. If
+/// the best hypothesis fits badly, the weight of the new pose relative to it depends on the
+/// difference of their scores in the recent view.
 void KalmanSelfLocator::addFromView(const FieldDimensions& field, Random& random) {
   constexpr double lostFit = 0.4;
   constexpr int tried = 60;
@@ -282,8 +285,8 @@ void KalmanSelfLocator::addFromView(const FieldDimensions& field, Random& random
   add(*best, behind);
 }
 
-/// The field looks the same from the other side but for its landmarks: before these are looked at,
-/// the mirror image of the best hypothesis becomes one, too.
+/// Without its landmarks the field is symmetric. Before landmarks are observed, the mirror image of
+/// the best hypothesis is added as a hypothesis.
 void KalmanSelfLocator::addMirrored() {
   if (hypotheses_.empty()) return;
   Hypothesis mirrored = hypotheses_.front();
@@ -293,7 +296,7 @@ void KalmanSelfLocator::addMirrored() {
   add(mirrored);
 }
 
-/// Adds a pose as a hypothesis behind the best one.
+/// Adds a pose as a hypothesis. `behind` is the log weight of the best hypothesis relative to it.
 void KalmanSelfLocator::add(const Pose2D& pose, double behind) {
   double best = hypotheses_.empty() ? behind : -1e9;
   for (const Hypothesis& h : hypotheses_) best = std::max(best, h.weight - h.trust);
@@ -308,7 +311,7 @@ void KalmanSelfLocator::add(const Pose2D& pose, double behind) {
   add(fresh);
 }
 
-/// Adds a hypothesis unless there is one like it; the worst makes room.
+/// Adds a hypothesis unless a similar one exists; replaces the worst if there is no room.
 void KalmanSelfLocator::add(const Hypothesis& fresh) {
   auto worst = hypotheses_.begin();
   for (auto h = hypotheses_.begin(); h != hypotheses_.end(); ++h) {
@@ -321,7 +324,8 @@ void KalmanSelfLocator::add(const Hypothesis& fresh) {
     *worst = fresh;
 }
 
-/// The best one first; those that have become like a better one, or hopeless, go.
+/// Sorts the hypotheses, best first, and removes those that are similar to a better one or too
+/// improbable.
 void KalmanSelfLocator::sortOut(const FieldDimensions& field) {
   if (hypotheses_.empty()) return;
   std::sort(hypotheses_.begin(), hypotheses_.end(),

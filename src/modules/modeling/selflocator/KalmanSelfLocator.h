@@ -13,10 +13,10 @@
 
 namespace gt {
 
-/// Solution *Kalman* of SelfLocator, which is none of the report's: finds the robot's pose by a few
-/// hypotheses, each of which is a Kalman filter that takes in all that is seen: bearings, distances
-/// of flags, points on edges, each with its own error. Measurements that fit no hypothesis create
-/// new ones; the one that explains best what was seen of late is the robot's pose.
+/// Solution *Kalman* of SelfLocator, which is not in the report: estimates the robot's pose by a
+/// few hypotheses. Each is a Kalman filter that uses all measurements: bearings, distances of
+/// flags, points on edges, each with its own error. Measurements that fit no hypothesis create new
+/// ones. The robot's pose is the hypothesis that fits the recent measurements best.
 class KalmanSelfLocator {
  public:
   struct Parameters {
@@ -53,28 +53,33 @@ class KalmanSelfLocator {
       return Fields{
           field<&P::hypotheses>("greatest number of hypotheses", {1, 100}),
           field<&P::points>("number of points of each type of edge used in an image", {1, 100}),
-          field<&P::farthest>(Unit::mm, "points farther away are not used", {1, 1e5}),
+          field<&P::farthest>(Unit::mm, "greatest distance of points that are used", {1, 1e5}),
           field<&P::slip>("standard deviation of a step, as a share of its length", {0, 10}),
           field<&P::turnSlip>("standard deviation of a turn, as a share of its angle", {0, 10}),
-          field<&P::drift>(Unit::mm, "standard deviation of the position that a second adds",
+          field<&P::drift>(Unit::mm, "standard deviation that is added to the position in a second",
                            {0, 1e4}),
-          field<&P::turnDrift>(Unit::rad, "standard deviation of the rotation that a second adds",
-                               {0, 3}),
+          field<&P::turnDrift>(
+              Unit::rad, "standard deviation that is added to the rotation in a second", {0, 3}),
           field<&P::commonAngle>(
               Unit::rad,
-              "standard deviation of the camera's pan, the same for all of an image, at first",
+              "initial standard deviation of the camera's pan error, which all measurements of an "
+              "image share",
               {1e-6, 1}),
           field<&P::swayMemory>(
               "correlation of the camera's tilt and roll errors with those of the next image",
               {0, 1}),
           field<&P::leanError>(
               Unit::rad,
-              "standard deviation of the part of the camera's tilt and roll errors that stays; 0: "
-              "none does",
+              "standard deviation of the constant part of the camera's tilt and roll errors; 0: "
+              "there is none",
               {0, 1}),
-          field<&P::leanMemory>("share of that part that is left an image later", {0, 1}),
+          field<&P::leanMemory>(
+              "share of the constant part of the camera's tilt and roll errors that is left an "
+              "image later",
+              {0, 1}),
           field<&P::learning>(
-              "share by which an image changes what is known of the camera's errors", {0, 1}),
+              "share by which an image changes the estimated variances of the camera's errors",
+              {0, 1}),
           field<&P::leastError>(Unit::rad,
                                 "least standard deviation of the camera's angles that is learned",
                                 {1e-6, 1}),
@@ -82,49 +87,52 @@ class KalmanSelfLocator {
                                "greatest standard deviation of the camera's angles that is learned",
                                {1e-6, 1}),
           field<&P::mostTrust>(
-              "greatest lead that a hypothesis gains over new ones by landmarks that fit",
+              "upper bound of the log weight that a hypothesis gains over its mirror image by "
+              "fitting landmarks",
               {0, 1000}),
           field<&P::bearingError>(Unit::rad, "standard deviation of each bearing", {1e-6, 1}),
-          field<&P::flagDistanceError>("standard deviation of a flag's distance, as a share of it",
-                                       {1e-6, 1}),
+          field<&P::flagDistanceError>(
+              "standard deviation of a flag's distance, as a share of the distance", {1e-6, 1}),
           field<&P::flagError>(Unit::mm, "standard deviation of where flags stand", {0, 1e4}),
           field<&P::postError>(Unit::mm, "standard deviation of where goal posts stand", {0, 1e4}),
           field<&P::tiltError>(
               Unit::rad,
-              "standard deviation of the camera's tilt and roll, the same for all of an image, at "
-              "first",
+              "initial standard deviation of the camera's tilt and roll errors, which all "
+              "measurements of an image share",
               {1e-6, 1}),
           field<&P::pointError>(Unit::rad, "standard deviation of the elevation of each point",
                                 {1e-6, 1}),
           field<&P::edgeError>(Unit::mm, "standard deviation of edges from the model", {1e-3, 1e3}),
-          field<&P::gate>("number of standard deviations beyond which nothing is believed",
-                          {0.1, 100}),
+          field<&P::gate>(
+              "measurements farther from the prediction, in standard deviations, are rejected",
+              {0.1, 100}),
           field<&P::surprise>("probability that a point or a bearing is seen wrongly", {1e-6, 1}),
           field<&P::landmarkSurprise>("probability that a landmark is seen wrongly", {1e-6, 1}),
-          field<&P::memory>("greatest difference of the logarithms of two hypotheses' weights",
-                            {0.1, 1000}),
-          field<&P::newWeight>(
-              "difference of the logarithms of the best hypothesis' weight and a new one's",
-              {0, 1000})};
+          field<&P::memory>(
+              "greatest log weight of the best hypothesis relative to another one that is kept",
+              {0.1, 1000}),
+          field<&P::newWeight>("log weight of the best hypothesis relative to a new one",
+                               {0, 1000})};
     }
   };
   Parameters parameters;
 
-  /// Provides the pose of the best hypothesis. Without a new percept all follow the odometry.
-  /// Percepts count whether or not the camera matrix is valid; what contradicts a hypothesis is
-  /// gated. `hypotheses` is the only parameter whose change allocates.
+  /// Provides the pose of the best hypothesis on the field. Without a new percept all hypotheses
+  /// are moved by the odometry. Percepts count whether or not the camera matrix is valid;
+  /// measurements that contradict a hypothesis are rejected by the gate. `hypotheses` is the only
+  /// parameter whose change allocates.
   void update(const LandmarksPercept& landmarks, const LinesPercept& lines,
               const CameraMatrix& camera, const OdometryData& odometry,
               const FieldDimensions& field, const Player& player, RobotPose& robotPose,
               Random& random, Debug& debug);
 
-  /// A pose that might be, with how well it explains what was seen against others.
+  /// A possible pose, and how well it fits the measurements compared with others.
   struct Hypothesis {
     PoseHypothesis filter;
-    double weight = 0;  ///< The logarithm of a probability; the best one has 0.
-    double fit = 0.5;   ///< How well the last images fitted, in [0, 1].
-    int surprises = 0;  ///< Images in a row that did not fit at all.
-    double trust = 0;   ///< Lead over new ones, by landmarks that fit.
+    double weight = 0;  ///< Logarithm of the probability relative to the best one, which has 0.
+    double fit = 0.5;   ///< Average fit of the last images, in [0, 1].
+    int surprises = 0;  ///< Number of consecutive images that did not fit at all.
+    double trust = 0;   ///< Log weight gained over its mirror image by fitting landmarks.
   };
   const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
 
@@ -155,9 +163,9 @@ class KalmanSelfLocator {
   OdometryData lastOdometry_;
   Time last_ = never(), lastLandmarks_ = never(), lastLines_ = never();
   bool started_ = false;
-  // What is known of the camera's errors.
+  // Estimated errors of the camera.
   double tiltError_ = 0, panError_ = 0;  ///< Standard deviations, rad.
-  double imageDelay_ = 0;                ///< By which images are older than they state, s.
+  double imageDelay_ = 0;                ///< By which images are older than their time stamps, s.
   double panSpeed_ = 0;                  ///< Of the camera during the image, rad/s.
 };
 

@@ -6,7 +6,8 @@
 
 namespace gt {
 
-/// Judges particles by bearings on the edges of flags and goals (report 3.3.2.2).
+/// Computes likelihoods of particles from bearings on the edges of flags and goals (report
+/// 3.3.2.2).
 class LandmarkModel {
  public:
   struct Parameters {
@@ -23,8 +24,8 @@ class LandmarkModel {
     }
   };
 
-  /// Filters `Likelihood::landmarks` of all particles by the similarity of an image (3.11) to
-  /// (3.13). The offset is the camera's from the robot's origin, in mm.
+  /// Updates `Likelihood::landmarks` of all particles by the similarity of an image, (3.11) to
+  /// (3.13). `cameraOffset` is the camera's position relative to the robot (mm).
   void observe(const Parameters& parameters, const Bearings& bearings, const Vector2d& cameraOffset,
                ParticleSet& particles);
 

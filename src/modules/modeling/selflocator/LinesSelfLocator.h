@@ -4,8 +4,8 @@
 
 namespace gt {
 
-/// Solution *Lines* of SelfLocator: finds the robot's pose with points on field lines, the field
-/// border and goals, without any beacon (report 3.3.3).
+/// Solution *Lines* of SelfLocator: estimates the robot's pose from points on field lines, the
+/// field border and goals, without any beacon (report 3.3.3).
 class LinesSelfLocator {
  public:
   struct Parameters {
@@ -19,15 +19,16 @@ class LinesSelfLocator {
     }
     static constexpr auto fields() {
       using P = Parameters;
-      return Fields{field<&P::particles>("number of hypotheses", {1, 10000}), field<&P::motion>(),
+      return Fields{field<&P::particles>("number of particles", {1, 10000}), field<&P::motion>(),
                     field<&P::edges>(),
                     field<&P::newLikelihood>(
-                        "likelihood of each kind that a particle has at the start", {0, 1})};
+                        "likelihood of each kind of edge of a particle at the start", {0, 1})};
     }
   };
   Parameters parameters;
 
-  /// Provides the pose. Without a new percept it follows the odometry; see ParticleLocalization.
+  /// Provides the robot's pose on the field. Without a new percept the pose is moved by the
+  /// odometry; see ParticleLocalization.
   void update(const LinesPercept& lines, const CameraMatrix& camera, const OdometryData& odometry,
               const FieldDimensions& field, const Player& player, RobotPose& robotPose,
               Random& random, Debug& debug) {

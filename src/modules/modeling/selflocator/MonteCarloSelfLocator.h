@@ -4,12 +4,12 @@
 
 namespace gt {
 
-/// Solution *MonteCarlo* of SelfLocator: finds the robot's pose with bearings on the edges of flags
-/// and goals (report 3.3.2). The constants are the report's but for two on which its text is silent
-/// or which the truth corrects: a template starts with the probability 0.9, for at less it loses
-/// against the particles that are wrong but old; and where no template is left, only 2 % of the
-/// improbable particles become random ones, for all of them would thin out the cluster in each
-/// image that shows a single landmark.
+/// Solution *MonteCarlo* of SelfLocator: estimates the robot's pose from bearings on the edges of
+/// flags and goals (report 3.3.2). The constants are the report's except two, which its text does
+/// not state or which comparisons with the true pose have corrected. A template starts with the
+/// probability 0.9, because with less it loses against wrong, but old particles. If no template is
+/// left, only 2 % of the improbable particles become random ones, because replacing all of them
+/// would thin out the cluster in each image that shows a single landmark.
 class MonteCarloSelfLocator {
  public:
   struct Parameters {
@@ -23,14 +23,15 @@ class MonteCarloSelfLocator {
     }
     static constexpr auto fields() {
       using P = Parameters;
-      return Fields{field<&P::particles>("number of hypotheses", {1, 10000}), field<&P::motion>(),
+      return Fields{field<&P::particles>("number of particles", {1, 10000}), field<&P::motion>(),
                     field<&P::landmarks>(), field<&P::templates>()};
     }
   };
   Parameters parameters;
   static constexpr std::initializer_list<Likelihood> kinds{Likelihood::landmarks};
 
-  /// Provides the pose. Without a new percept it follows the odometry; see ParticleLocalization.
+  /// Provides the robot's pose on the field. Without a new percept the pose is moved by the
+  /// odometry; see ParticleLocalization.
   void update(const LandmarksPercept& landmarks, const OdometryData& odometry,
               const FieldDimensions& field, const Player& player, RobotPose& robotPose,
               Random& random, Debug& debug) {

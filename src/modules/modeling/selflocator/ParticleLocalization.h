@@ -10,36 +10,36 @@
 
 namespace gt {
 
-/// Monte-Carlo localization (report 3.3.2, 3.3.3), of which the self-locators with particles are
-/// made: they differ in what they see. Particles move by the odometry, the likelihoods of what
-/// is seen judge them, improbable ones make room for poses from which it might have been seen, and
-/// the fullest place is where the robot is.
+/// Monte-Carlo localization (report 3.3.2, 3.3.3), shared by the self-locators with particles,
+/// which differ in the percepts that they use. Particles are moved by the odometry and weighted by
+/// the likelihoods of the percepts. Improbable particles are replaced by poses consistent with the
+/// percepts. The robot's pose is the mean of the largest cluster of particles.
 class ParticleLocalization {
  public:
-  /// The parameters of the solution; null for what it does not see.
+  /// The parameters of the solution; null for percepts that it does not use.
   struct Models {
     int particles;
     const MotionModel& motion;
-    double newProbability;  ///< Of particles at the start.
+    double newProbability;  ///< Likelihood of particles at the start.
     const LandmarkModel::Parameters* landmarks = nullptr;
-    const TemplateReplacement* templates = nullptr;  ///< If landmarks are seen.
+    const TemplateReplacement* templates = nullptr;  ///< Required if landmarks are used.
     const EdgeModel::Parameters* edges = nullptr;
   };
-  /// What is seen; null where the models are.
+  /// The percepts; null where the models are null.
   struct Percepts {
     const LandmarksPercept* landmarks = nullptr;
     const LinesPercept* lines = nullptr;
-    const CameraMatrix* camera = nullptr;  ///< If lines are seen.
+    const CameraMatrix* camera = nullptr;  ///< Required if lines are used.
   };
 
-  /// Particles with a filtered probability for each of these.
+  /// Creates particles with a filtered likelihood of each of these kinds.
   explicit ParticleLocalization(std::initializer_list<Likelihood> kinds) : particles_{kinds} {}
 
-  /// Provides the pose after an image, or after a step without one: a percept counts once, by its
-  /// time, and without a new one the pose follows the odometry. Percepts count whether or not their
-  /// camera matrix was valid, since a wrong one is outweighed soon. A candidate is a pose that
-  /// another method has found: improbable particles make room for it, as often as it is valid. A
-  /// change of `Models::particles` is all that allocates.
+  /// Provides the pose on the field after an image, or after a step without one. A percept counts
+  /// once, identified by its time; without a new one the pose is moved by the odometry. Percepts
+  /// count whether or not their camera matrix was valid, since a wrong one is soon outweighed.
+  /// `candidate` is a pose found by another method, or null: it replaces improbable particles, with
+  /// its validity as the probability. Only a change of `Models::particles` allocates.
   void update(const Models& models, const Percepts& percepts, const OdometryData& odometry,
               const FieldDimensions& field, const Player& player, const RobotPose* candidate,
               RobotPose& robotPose, Random& random, Debug& debug);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int cells = 10;
 
-/// Numbers of particles in cells; the rotation is a circle.
+/// Numbers of particles in cells; the dimension of the rotation is circular.
 struct Grid {
   std::array<std::int16_t, cells * cells * cells> counts{};
 

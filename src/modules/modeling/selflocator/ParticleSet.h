@@ -11,12 +11,12 @@
 
 namespace gt {
 
-/// What is observed apart from each other: each kind has a filtered probability of its own, so that
-/// what is seen often does not outvote what is seen rarely (report 3.3.3.1).
+/// Kinds of observations with separate filtered likelihoods, so that frequent observations do not
+/// outvote rare ones (report 3.3.3.1).
 enum class Likelihood { landmarks, lines, border, goals };
 
-/// How far a step may lead elsewhere than the odometry measures (report (3.8)), and how far
-/// improbable particles are moved in search of a better place (3.14).
+/// Errors of a step measured by the odometry (report (3.8)), and distances by which improbable
+/// particles are moved to search for a better pose (3.14).
 struct MotionModel {
   double forwardError = 0.1;
   double sidewardError = 0.02;
@@ -36,13 +36,13 @@ struct MotionModel {
         field<&M::turnErrorByAngle>("error of the rotation, as a share of the angle turned, (3.8)",
                                     {0, 1}),
         field<&M::searchDistance>(
-            Unit::mm, "farthest random search of an improbable particle, (3.14)", {0, 1000}),
-        field<&M::searchAngle>(Unit::rad, "widest random search of an improbable particle, (3.14)",
-                               {0, 3})};
+            Unit::mm, "greatest random displacement of an improbable particle, (3.14)", {0, 1000}),
+        field<&M::searchAngle>(
+            Unit::rad, "greatest random rotation of an improbable particle, (3.14)", {0, 3})};
   }
 };
 
-/// How fast a filtered probability follows (report (3.13), (3.19)).
+/// Limits the change of a filtered likelihood (report (3.13), (3.19)).
 struct ProbabilityFilter {
   float rise, fall;
 
@@ -53,42 +53,44 @@ struct ProbabilityFilter {
   }
 };
 
-/// The average of the largest cluster, and how certain it is (report 3.3.2.4).
+/// The average pose of the largest cluster, and its validity (report 3.3.2.4).
 struct Cluster {
   Pose2D pose;
   double validity = 0;
   int size = 0;
 };
 
-/// A pose anywhere on the field.
+/// A random pose on the field (mm, rad).
 Pose2D randomPose(const FieldDimensions& field, Random& random);
 
-/// The hypotheses of where the robot is (report (3.7)), each with a probability. Single precision,
-/// and an array for each number, since a loop over all particles then computes several at once;
-/// instead of a rotation its cosine and sine, so that none has to be computed.
+/// The particles (samples of the report, (3.7)): possible poses of the robot, each with a
+/// probability. Numbers have single precision and an array each, so that loops over all particles
+/// are vectorized. Cosine and sine replace the rotation, so that they need not be computed.
 class ParticleSet {
  public:
-  /// Particles with a filtered probability for each of these, at least one.
+  /// Creates particles with a filtered likelihood of each of these kinds, at least one.
   explicit ParticleSet(std::initializer_list<Likelihood> kinds) : kinds_{kinds} {}
 
-  /// So many particles; new ones stand anywhere on the field. Allocates if the number changes.
+  /// Sets the number of particles; new ones have random poses on the field. Allocates if the number
+  /// changes.
   void resize(std::size_t size, const FieldDimensions& field, double probability, Random& random);
   std::size_t size() const { return x.size(); }
 
-  /// Moves all particles with the robot, by the odometry's step and an error of their own; if
-  /// `search`, improbable ones also search. Walls stop particles as they stop robots.
+  /// Moves all particles by the odometry's step (mm, rad) and a random error each. If `search`,
+  /// improbable ones are also moved to search for a better pose. Walls stop particles as they stop
+  /// robots.
   void move(const Pose2D& step, const MotionModel& model, bool search, const FieldDimensions& field,
             Random& random);
-  /// The probability of each particle is the product of its likelihood (3.20).
+  /// Sets the probability of each particle to the product of its likelihoods (3.20).
   void multiplyLikelihoods();
-  /// Copies particles so often as their probability demands (importance resampling, 3.3.2.3).
+  /// Copies each particle in proportion to its probability (importance resampling, 3.3.2.3).
   void resample(Random& random);
-  /// Puts a particle elsewhere, with that likelihood of each kind.
+  /// Replaces a particle by a pose (mm, rad; on the field) with the given likelihood of each kind.
   void replace(std::size_t i, const Pose2D& pose, const EnumArray<Likelihood, float>& with);
-  /// The mean likelihood of each kind over all particles; 1 of kinds that are not kept.
+  /// The mean likelihood of each kind over all particles; 1 for kinds that are not kept.
   EnumArray<Likelihood, float> meanLikelihoods() const;
-  /// The particles in the fullest 2 x 2 x 2 of 10 x 10 x 10 cells over the field, averaged
-  /// (report 3.3.2.4, (3.15), (3.16)).
+  /// The average of the particles in the block of 2 x 2 x 2 cells that contains most of them, of 10
+  /// x 10 x 10 cells over the field and all rotations (report 3.3.2.4, (3.15), (3.16)).
   Cluster largestCluster(const FieldDimensions& field);
 
   Pose2D pose(std::size_t i) const;
@@ -107,7 +109,8 @@ class ParticleSet {
 
   std::vector<Likelihood> kinds_;
   std::vector<float> noise_, buffer_;
-  std::vector<std::int32_t> source_;  ///< Of each particle, in resampling.
+  /// Index of the particle of which each is a copy, in resampling.
+  std::vector<std::int32_t> source_;
   std::vector<std::int32_t> cellX_, cellY_, cellAngle_;
 };
 

@@ -15,7 +15,7 @@ double determinant(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   return a.dot(b.cross(c));
 }
 
-/// Up to six flags, or three memorized ones, and four posts.
+/// Sightings of up to six flags, or three memorized ones, and four goal posts.
 struct Sightings {
   std::array<Sighting, 10> list;
   std::size_t count = 0;

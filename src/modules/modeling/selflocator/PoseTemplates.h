@@ -11,37 +11,37 @@
 
 namespace gt {
 
-/// A point on the field and the direction in which it is seen, in the system of who sees it.
+/// A point on the field (mm) and the direction in which it is seen, in the observer's system.
 struct Sighting {
   Vector2d landmark;
   Vector2d direction;  ///< Need not be normalized.
 };
 
-/// The pose from which three landmarks are seen in three directions; none where the three and the
-/// observer lie on one circle, or where a landmark would lie behind (report 3.3.2.3).
+/// The pose from which three landmarks are seen in three directions; nothing if the three and the
+/// observer lie on one circle, or if a landmark would lie behind (report 3.3.2.3).
 std::optional<Pose2D> triangulate(const Sighting& a, const Sighting& b, const Sighting& c);
 
-/// The one or two poses from which one landmark is seen in a direction and at a distance (the
-/// length of `located.direction` in mm), and another one in a direction (report 3.3.2.3). Returns
-/// how many.
+/// Computes the one or two poses from which one landmark is seen in a direction and at a distance
+/// (the length of `located.direction` in mm), and another one in a direction (report 3.3.2.3).
+/// Returns the number of poses.
 int posesFrom(const Sighting& located, const Sighting& second, std::array<Pose2D, 2>& poses);
 
 /// Candidate poses for sensor resetting, calculated from the landmarks of this image and the last
-/// three flags seen (report 3.3.2.3). Each is handed out once.
+/// three flags seen (report 3.3.2.3). Each is returned once.
 class PoseTemplates {
  public:
-  /// Moves the memorized flags with the robot, in mm and rad.
+  /// Moves the memorized flags by a step of the robot (mm, rad).
   void move(const Pose2D& odometry);
-  /// Memorizes the image's flags, and fills the buffer anew.
+  /// Memorizes the image's flags, and recomputes all poses.
   void update(const LandmarksPercept& percept, TeamColor team, const FieldDimensions& field);
-  /// One of the poses that have not been handed out yet.
+  /// Returns and removes a random pose; nothing if none is left.
   std::optional<Pose2D> take(Random& random);
   int size() const { return count_; }
 
  private:
   struct MemorizedFlag {
     FlagType type = FlagType::pinkAboveYellow;
-    Vector2d position = Vector2d::Zero();  ///< Relative to the robot.
+    Vector2d position = Vector2d::Zero();  ///< mm, relative to the robot.
   };
 
   void memorize(const FlagPercept& flag);
@@ -66,18 +66,19 @@ struct TemplateReplacement {
   static constexpr auto fields() {
     using T = TemplateReplacement;
     return Fields{
-        field<&T::replacement>("how often an improbable particle makes room for a template",
+        field<&T::replacement>("probability that an improbable particle is replaced by a template",
                                {0, 1}),
         field<&T::randomReplacement>(
-            "how often a particle that no template replaces becomes a random one", {0, 1}),
+            "probability that an improbable particle becomes a random one if no template is left",
+            {0, 1}),
         field<&T::newProbability>("likelihood of landmarks of a template or random particle",
                                   {0, 1})};
   }
 };
 
-/// Replaces each particle, with the probability that the landmarks speak against it, by the
-/// candidate if there is one (as often as that is valid), by a template, or by a random pose. Other
-/// likelihood than the landmarks' is the average's then.
+/// Replaces each particle with a probability of 1 minus its likelihood of landmarks: by the
+/// candidate, if there is one, with its validity as the probability; otherwise by a template;
+/// otherwise by a random pose. The likelihoods of other kinds become the averages.
 void replaceByTemplates(const TemplateReplacement& parameters, PoseTemplates& templates,
                         const RobotPose* candidate, const FieldDimensions& field,
                         ParticleSet& particles, Random& random);

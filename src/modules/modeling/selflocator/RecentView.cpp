@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t pointsOfImage = 12;
 constexpr int oldest = 15;  // images
 
-/// Turns vectors by an angle whose sine and cosine are computed once.
+/// Rotates vectors by an angle whose sine and cosine are computed once.
 class Rotation {
  public:
   explicit Rotation(double angle) : cosine_{std::cos(angle)}, sine_{std::sin(angle)} {}
@@ -27,7 +27,7 @@ double toleranceOf(const Vector2d& point) {
   return 50 + 0.15 * point.norm();
 }
 
-/// 1 for what fits exactly, 1/2 for what is off by the tolerance.
+/// 1 if the error is 0, 1/2 if it equals the tolerance.
 double fit(double error, double tolerance) {
   const double ratio = error / tolerance;
   return 1 / (1 + ratio * ratio);
@@ -119,7 +119,8 @@ std::optional<Pose2D> RecentView::drawPose(const EdgeTables& tables, const Field
   return tables.drawPose(type, point, random);
 }
 
-/// Two landmarks leave a curve of poses, one leaves an area: any distance, any place.
+/// Bearings on two landmarks determine a curve of poses, a bearing on one an area: the remaining
+/// degrees of freedom are drawn at random.
 std::optional<Pose2D> RecentView::drawFromBearings(const FieldDimensions& field,
                                                    Random& random) const {
   const SeenBearing& a = bearings_[random.index(numberOfBearings_)];

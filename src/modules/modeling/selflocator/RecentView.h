@@ -9,25 +9,26 @@
 
 namespace gt {
 
-/// What a robot has seen within the last images, moved along with it: one image shows little of
-/// the field, they distinguish poses that look alike in one. Judges poses by that, and draws
-/// some that fit to it.
+/// The measurements of the last images, moved along with the robot. One image shows little of the
+/// field; several distinguish poses that look alike in one. Computes scores of poses by these
+/// measurements, and draws poses that fit them.
 class RecentView {
  public:
-  /// Moves what was seen with the robot, in mm and rad.
+  /// Moves the measurements by a step of the robot (mm, rad).
   void move(const Pose2D& odometry);
-  /// Adds some of the points of an image, and forgets as many old ones.
+  /// Adds some of the points of an image, and removes as many old ones.
   void add(const std::vector<ChosenPoint>& points, Random& random);
-  /// Adds the bearings of an image. The offset is the camera's from the robot's origin, in mm.
+  /// Adds the bearings of an image. `cameraOffset` is the camera's position relative to the robot
+  /// (mm).
   void add(const Bearings& bearings, const Vector2d& cameraOffset);
-  /// Forgets all: the robot was put somewhere else.
+  /// Removes all measurements, after the robot was put somewhere else.
   void clear() { numberOfPoints_ = numberOfBearings_ = 0; }
 
-  /// The score of a pose: how well it explains what was seen, in [0, 1]; 0 as soon as it is known
-  /// to be less than `least`.
+  /// The score of a pose, in [0, 1]: how well the measurements fit to it. Returns 0 early if the
+  /// score is less than `least`.
   double score(const Pose2D& pose, const EdgeTables& tables, double least = 0) const;
-  /// A pose from which one of the things seen would be seen where it was; empty if nothing was
-  /// seen.
+  /// A random pose from which one of the measurements would be the same; nothing if there are no
+  /// measurements.
   std::optional<Pose2D> drawPose(const EdgeTables& tables, const FieldDimensions& field,
                                  Random& random) const;
 
@@ -36,12 +37,12 @@ class RecentView {
 
   struct SeenBearing {
     Vector2d landmark;
-    Vector2d camera, direction;  ///< From where and whereto, in the robot's system now.
-    double angle;                ///< Of the direction.
+    Vector2d camera, direction;  ///< Position (mm) and direction, relative to the present robot.
+    double angle;                ///< Of the direction, rad.
     int age;                     ///< In images.
   };
 
-  /// A point in the robot's system, and how far off it still fits half.
+  /// A point relative to the robot, and the distance from an edge at which it fits by half (mm).
   struct SeenPoint {
     EdgeType type;
     Vector2d point;

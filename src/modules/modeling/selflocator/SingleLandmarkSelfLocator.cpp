@@ -8,14 +8,14 @@
 namespace gt {
 namespace {
 
-/// How much of a correction is made: all of it if nothing is known yet, the less the more reliable
-/// the estimate is against the measurement.
+/// The share of a correction that is applied: all of it if nothing is known yet, and less the more
+/// reliable the estimate is compared with the measurement.
 double correctionFactor(double quality, double reliability) {
   return quality / (quality + reliability);
 }
 
-/// The reliability after a correction: it approaches the quality of what agrees, and drops where
-/// measurements go on to contradict the estimate.
+/// The reliability after a correction. It approaches the quality of measurements that agree with
+/// the estimate, and decreases while measurements contradict it.
 double reliabilityAfter(double reliability, double factor, double quality, double difference) {
   return reliability + factor * (quality * std::max(1 - difference, 0.0) - reliability);
 }
@@ -41,7 +41,7 @@ void SingleLandmarkSelfLocator::update(const LandmarksPercept& percept,
   drawPose(pose_, debug);
 }
 
-/// What is known becomes less reliable by time, and more so by walking.
+/// The estimate becomes less reliable with time, and more so by walking.
 void SingleLandmarkSelfLocator::move(const OdometryData& odometry, Time now) {
   const Pose2D step = odometry.pose.relativeTo(lastOdometry_.pose);
   lastOdometry_ = odometry;
@@ -66,7 +66,7 @@ SingleLandmarkSelfLocator::Measurement SingleLandmarkSelfLocator::flagIn(
   return m;
 }
 
-/// Those whose distance is known best.
+/// Uses the flags whose distance has the best quality.
 void SingleLandmarkSelfLocator::useBestFlags(const LandmarksPercept& percept, TeamColor team,
                                              const FieldDimensions& field) {
   std::array<Measurement, 2> best;
@@ -83,8 +83,8 @@ void SingleLandmarkSelfLocator::useBestFlags(const LandmarksPercept& percept, Te
   for (const Measurement& m : best) correct(m);
 }
 
-/// Goals come last, for their direction is the most important one (report 3.3.1.1). One that is cut
-/// by the image's border leaves its middle unknown.
+/// Goals are used last, because their direction is the most important one (report 3.3.1.1). The
+/// middle of a goal that is cut by the image's border is unknown.
 void SingleLandmarkSelfLocator::useGoals(const LandmarksPercept& percept, TeamColor team,
                                          const FieldDimensions& field) {
   for (int i = 0; i < percept.numberOfGoals; ++i) {
@@ -105,8 +105,8 @@ void SingleLandmarkSelfLocator::correct(const Measurement& measurement) {
   if (measurement.angleQuality > 0) correctOrientation(measurement);
 }
 
-/// Towards the virtual position: on the line from the landmark to the old position, at the measured
-/// distance (report, figure 3.5a).
+/// Moves the position towards the virtual position, which is on the line from the landmark to the
+/// old position, at the measured distance (report, figure 3.5a).
 void SingleLandmarkSelfLocator::correctPosition(const Measurement& measurement) {
   const Vector2d fromLandmark = pose_.translation - measurement.landmark;
   const double distance = fromLandmark.norm();
@@ -120,7 +120,8 @@ void SingleLandmarkSelfLocator::correctPosition(const Measurement& measurement) 
                                           correction.norm() / parameters.positionTolerance);
 }
 
-/// Towards the orientation in which the landmark is seen where it is seen (report, figure 3.5b).
+/// Turns towards the orientation in which the landmark has the measured angle (report, figure
+/// 3.5b).
 void SingleLandmarkSelfLocator::correctOrientation(const Measurement& measurement) {
   const Vector2d toLandmark = measurement.landmark - pose_.translation;
   const double correction = normalize(angleOf(toLandmark) - measurement.angle - pose_.rotation);

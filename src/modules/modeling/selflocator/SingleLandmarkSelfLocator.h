@@ -10,8 +10,8 @@
 
 namespace gt {
 
-/// Solution *SingleLandmark* of SelfLocator: finds the robot's pose by drawing one estimate towards
-/// what each landmark shows, by itself, about distance and direction (report 3.3.1): cheap, but
+/// Solution *SingleLandmark* of SelfLocator: estimates the robot's pose by moving it towards the
+/// measured distance and direction of each single landmark (report 3.3.1). The method is cheap, but
 /// never exact.
 class SingleLandmarkSelfLocator {
  public:
@@ -32,20 +32,23 @@ class SingleLandmarkSelfLocator {
       using P = Parameters;
       return Fields{
           field<&P::progressiveness>(
-              "share of a correction that is made: 0 stalls, 1 follows each measurement", {0, 1}),
-          field<&P::minimumQuality>("least quality of a landmark that counts", {0, 1}),
+              "share of a correction that is applied; 0: none, 1: the pose follows each "
+              "measurement",
+              {0, 1}),
+          field<&P::minimumQuality>("least quality of a landmark that is used", {0, 1}),
           field<&P::distanceRange>(
-              Unit::mm, "distance of a flag at which the quality of its distance is a half",
+              Unit::mm, "distance of a flag at which the quality of the distance is a half",
               {100, 10000}),
-          field<&P::flagAngleQuality>("quality of the direction of a flag that is seen whole",
+          field<&P::flagAngleQuality>("quality of the direction of a flag that is seen completely",
                                       {0, 1}),
           field<&P::goalDistanceQuality>("quality of a goal's distance", {0, 1}),
-          field<&P::goalAngleQuality>("quality of the direction of a goal that is seen whole",
+          field<&P::goalAngleQuality>("quality of the direction of a goal that is seen completely",
                                       {0, 1}),
           field<&P::positionTolerance>(
-              Unit::mm, "correction by which the reliability drops to nothing", {1, 10000}),
+              Unit::mm, "correction of the position at which its reliability becomes 0",
+              {1, 10000}),
           field<&P::angleTolerance>(
-              Unit::rad, "correction of the orientation by which its reliability drops to nothing",
+              Unit::rad, "correction of the orientation at which its reliability becomes 0",
               {0.01, 3}),
           field<&P::lossByTime>(Unit::perS, "share of the reliability that is lost in a second",
                                 {0, 10}),
@@ -59,14 +62,16 @@ class SingleLandmarkSelfLocator {
   };
   Parameters parameters;
 
-  /// Provides the pose and how reliable it is. Without a new percept it follows the odometry and
-  /// becomes less reliable; whether the camera matrix was valid is not asked.
+  /// Provides the robot's pose on the field and its validity. Without a new percept the pose is
+  /// moved by the odometry and becomes less reliable. Whether the camera matrix was valid is not
+  /// checked.
   void update(const LandmarksPercept& percept, const OdometryData& odometry,
               const FieldDimensions& field, const Player& player, RobotPose& robotPose,
               Debug& debug);
 
  private:
-  /// What one landmark yields, from the robot's origin.
+  /// The measurement of one landmark (mm, on the field): distance (mm) and angle (rad) relative to
+  /// the robot, each with its quality.
   struct Measurement {
     Vector2d landmark = Vector2d::Zero();
     double distance = 0, distanceQuality = 0;

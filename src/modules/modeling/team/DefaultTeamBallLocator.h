@@ -9,9 +9,9 @@
 
 namespace gt {
 
-/// Solution *Default* of TeamBallLocator: where the team knows the ball to be, the robot's own ball
-/// while it sees it or has seen it a short time ago, otherwise the best of the teammates' balls
-/// (report 3.4.2).
+/// Solution *Default* of TeamBallLocator: selects the team's ball: the robot's own ball while it
+/// sees it or has seen it a short time ago, otherwise the best of the teammates' balls (report
+/// 3.4.2).
 class DefaultTeamBallLocator {
  public:
   struct Parameters {
@@ -24,12 +24,11 @@ class DefaultTeamBallLocator {
       using P = Parameters;
       return Fields{
           field<&P::ownBallTime>(
-              Unit::ms, "time since the ball was seen for which the robot's own counts alone",
+              Unit::ms, "time since the robot saw the ball during which only its own ball counts",
               {0, 1000000}),
           field<&P::oldestBall>(Unit::ms, "greatest age of a teammate's ball that counts",
                                 {0, 1000000}),
-          field<&P::silence>(Unit::ms,
-                             "time without a message after which a teammate is taken to be gone",
+          field<&P::silence>(Unit::ms, "time without a message after which a teammate is ignored",
                              {0, 1000000}),
           field<&P::costOfDoubt>(Unit::ms,
                                  "age added to the ball of a teammate that does not know its pose",
@@ -44,7 +43,8 @@ class DefaultTeamBallLocator {
               const FrameInfo& frame, const Player& player, TeamBallModel& teamBall, Debug& debug);
 
  private:
-  /// How bad a ball is: its age, and what its seer's doubt about the own pose costs, in ms.
+  /// The cost of a ball in ms: its age, plus a penalty for the uncertain pose of the robot that saw
+  /// it.
   double badness(double age, double validity) const {
     return age + parameters.costOfDoubt * (1 - validity);
   }

@@ -8,11 +8,12 @@
 
 namespace gt {
 
-/// Solution *Default* of TeamMessageSender: puts together what the robot reports to its teammates
-/// (report 3.4.2).
+/// Solution *Default* of TeamMessageSender: composes the robot's message to its teammates (report
+/// 3.4.2).
 class DefaultTeamMessageSender {
  public:
-  /// Provides the message. A ball never seen is sent as such, an uncertain pose with its validity.
+  /// Provides the message. A ball never seen is sent as never seen, an uncertain pose with its
+  /// validity.
   void update(const RobotPose& robotPose, const BallModel& ball, const PlayersCollection& players,
               const BehaviorTeamMessage& behavior, const FrameInfo& frame, const Player& player,
               TeamMessage& message);

@@ -52,8 +52,8 @@ void FusedTeamBallLocator::update(const BallModel& ball, const RobotPose& robotP
     }
 }
 
-// One's own ball moves with oneself: the error of the own pose does not count for it, but for those
-// of all others.
+// The robot's own ball is relative to the robot: the error of its own pose does not count for it,
+// but for the balls of all others.
 void FusedTeamBallLocator::collect(const BallModel& ball, const RobotPose& robotPose,
                                    const TeamMessages& messages, Time now, int self) {
   count_ = 0;
@@ -78,7 +78,7 @@ void FusedTeamBallLocator::collect(const BallModel& ball, const RobotPose& robot
   }
 }
 
-/// How far a ball rolls in some milliseconds.
+/// The displacement (mm) of a ball that rolls for a time (ms) with a speed (mm/s) at first.
 Vector2d FusedTeamBallLocator::wayOf(const Vector2d& speed, std::int64_t ms) const {
   const double v = speed.norm(), a = parameters.deceleration;
   if (v < 1) return Vector2d::Zero();
@@ -105,7 +105,7 @@ bool FusedTeamBallLocator::agree(const Opinion& a, const Opinion& b) const {
          squared(parameters.gate) * (a.variance + b.variance);
 }
 
-/// The opinion that agrees with most of what is known; one's own while it is fresh.
+/// The opinion that agrees with most others; the robot's own while it is fresh.
 const FusedTeamBallLocator::Opinion& FusedTeamBallLocator::mostSupported(int self) const {
   if (opinions_[0].player == self && opinions_[0].age <= parameters.ownBallTime)
     return opinions_[0];

@@ -11,9 +11,10 @@
 
 namespace gt {
 
-/// Solution *Fused* of TeamBallLocator: fuses the balls of all robots of the team, each as
-/// uncertain as its seer's pose, its distance and its age make it. Balls that do not agree with
-/// most of the others do not count, so that a lost robot does no harm (report 6.2.3).
+/// Solution *Fused* of TeamBallLocator: fuses the balls of all robots of the team, weighted by the
+/// uncertainty that results from the pose of the robot that saw it, from its distance and its age.
+/// Balls that do not agree with most of the others do not count, so that a lost robot does no harm
+/// (report 6.2.3).
 class FusedTeamBallLocator {
  public:
   struct Parameters {
@@ -32,19 +33,25 @@ class FusedTeamBallLocator {
       return Fields{
           field<&P::ownBallTime>(
               Unit::ms,
-              "time since the ball was seen for which nothing counts that contradicts the "
-              "robot's own",
+              "time since the robot saw the ball during which balls that contradict it do not "
+              "count",
               any),
           field<&P::oldestBall>(Unit::ms, "greatest age of a ball that counts", any),
-          field<&P::silence>(
-              Unit::ms, "time without a message after which a teammate is taken to be gone", any),
+          field<&P::silence>(Unit::ms, "time without a message after which a teammate is ignored",
+                             any),
           field<&P::leastNoise>(Unit::mm, "least standard deviation of a seen ball", any),
           field<&P::distanceShare>(
-              "standard deviation as a share of the distance, where its locator gives none", any),
-          field<&P::poseNoise>(Unit::mm, "standard deviation of a pose that is certain", any),
-          field<&P::doubtNoise>(Unit::mm, "addition to that for a pose of validity 0", any),
+              "standard deviation of a ball as a share of the distance, if the ball locator "
+              "provides none",
+              any),
+          field<&P::poseNoise>(
+              Unit::mm, "standard deviation of the position of a robot whose pose has validity 1",
+              any),
+          field<&P::doubtNoise>(
+              Unit::mm, "standard deviation that is added to poseNoise for a pose of validity 0",
+              any),
           field<&P::directionNoise>(
-              Unit::rad, "standard deviation of a pose's rotation, which moves what is far away",
+              Unit::rad, "standard deviation of a robot's rotation, which moves distant balls",
               any),
           field<&P::drift>(Unit::mmPerS, "growth of a ball's standard deviation with age", any),
           field<&P::deceleration>(Unit::mmPerS2, "deceleration of a rolling ball", any),
@@ -59,7 +66,7 @@ class FusedTeamBallLocator {
               const FrameInfo& frame, const Player& player, TeamBallModel& teamBall, Debug& debug);
 
  private:
-  /// Where one robot reports the ball to be now.
+  /// The present position of the ball according to one robot.
   struct Opinion {
     Vector2d position = Vector2d::Zero();  ///< mm, on the field
     double variance = 0;                   ///< mm^2, of each coordinate
@@ -68,16 +75,16 @@ class FusedTeamBallLocator {
   };
 
   Vector2d wayOf(const Vector2d& speed, std::int64_t ms) const;
-  /// Of a ball as its seer knows it, mm^2.
+  /// Variance of a ball relative to the robot that saw it (mm^2).
   double ballVariance(double standardDeviation, double distance, std::int64_t age) const;
-  /// What a pose's error adds to that on the field.
+  /// Variance of a ball on the field caused by the error of the robot's pose (mm^2).
   double poseVariance(double validity, double distance) const;
   bool agree(const Opinion& a, const Opinion& b) const;
   void collect(const BallModel& ball, const RobotPose& robotPose, const TeamMessages& messages,
                Time now, int self);
   const Opinion& mostSupported(int self) const;
 
-  std::array<Opinion, 5> opinions_;  ///< The robot's own one first, if there is one.
+  std::array<Opinion, 5> opinions_;  ///< The robot's own opinion comes first, if it has one.
   std::size_t count_ = 0;
 };
 

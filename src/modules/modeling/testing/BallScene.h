@@ -10,7 +10,8 @@
 
 namespace gt {
 
-/// A ball and a robot on the field, and a locator between them.
+/// Test scene: a ball and a robot on the field, and the robot's ball locator. Lengths in mm, times
+/// in ms, images every 40 ms.
 template <typename Locator>
 struct BallScene {
   void step(const Pose2D& walk = {}, const Vector2d& noise = {0, 0}, bool seen = true) {
@@ -30,7 +31,7 @@ struct BallScene {
     else
       locator.update(percept, odometry, frame, model, debug);
   }
-  /// Of the ball, as the robot should see it.
+  /// True position (mm) and speed (mm/s) of the ball relative to the robot.
   Vector2d truth() const { return relative(odometry.pose, ball); }
   Vector2d trueSpeed() const { return rotated(ballSpeed, -odometry.pose.rotation); }
   double error() const { return (model.position - truth()).norm(); }

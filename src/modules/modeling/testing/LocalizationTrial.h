@@ -31,11 +31,11 @@ class ImagesUntilLocalized {
   int pictures_ = 0, good_ = 0;
 };
 
-/// What a self-locator achieved against the truth.
+/// The errors of a self-locator compared with the truth.
 struct LocalizationTrial {
   std::vector<double> errors;  ///< mm, of each image
   std::vector<double> angles;  ///< rad, of each image
-  double longestLost = 0;      ///< s, for which the error was above 600 mm at a stretch
+  double longestLost = 0;      ///< s, longest time for which the error was above 600 mm
 };
 
 /// Lets a locator follow a robot for some images. `locate(robot)` returns the RobotPose.
@@ -55,7 +55,7 @@ LocalizationTrial follow(Robot& robot, int pictures, Locate&& locate) {
   return trial;
 }
 
-/// Images until a locator has found the robot; `most` if it has not by then.
+/// The number of images until a locator has found the robot, at most `most`.
 template <typename Robot, typename Locate>
 int imagesUntilLocalized(Robot& robot, int most, Locate&& locate) {
   ImagesUntilLocalized counter;

@@ -14,7 +14,7 @@
 
 namespace gt {
 
-/// All that a self-locator may look at after an image.
+/// All inputs of self-locators after an image.
 struct Seen {
   const LandmarksPercept& landmarks;
   const LinesPercept& lines;
@@ -24,13 +24,14 @@ struct Seen {
   const Player& player;
 };
 
-/// What a robot on a test bench sees; SyntheticRobot and others with members of these names.
+/// The inputs provided by a simulated robot: SyntheticRobot or another class with members of these
+/// names.
 template <typename Robot>
 Seen seenBy(const Robot& robot) {
   return {robot.percept, robot.lines, robot.camera, robot.odometry, robot.field, robot.player};
 }
 
-/// A self-locator of whatever class, with its chance and its last estimate.
+/// A self-locator of any class, with its random numbers and its last estimate.
 class AnyLocator {
  public:
   virtual ~AnyLocator() = default;
@@ -39,7 +40,7 @@ class AnyLocator {
   virtual Result<void> configure(const std::string& file) = 0;
 };
 
-/// Calls a solution's update with those of the values that its signature asks for.
+/// Calls a solution's update with the values that its signature requires.
 template <typename Solution>
 class LocatorOf final : public AnyLocator {
  public:
@@ -89,11 +90,11 @@ class LocatorOf final : public AnyLocator {
   Debug debug_{1024};
 };
 
-/// One of the self-locators, as comparisons name it.
+/// A kind of self-locator with its names in comparisons.
 struct LocatorKind {
-  std::string name;        ///< As in the names of figures.
-  std::string solution;    ///< As in configurations.
-  bool usesEdges = false;  ///< So that it needs no beacons.
+  std::string name;        ///< Name in the names of figures.
+  std::string solution;    ///< Name in configurations.
+  bool usesEdges = false;  ///< Whether it uses edges, so that it needs no beacons.
   std::function<std::unique_ptr<AnyLocator>(std::uint64_t seed)> make;
 };
 

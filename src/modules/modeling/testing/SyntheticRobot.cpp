@@ -131,7 +131,7 @@ void SyntheticRobot::see() {
   seeEdges();
 }
 
-/// Others stand here and there around the robot for a while.
+/// Places other robots around the robot for some time.
 void SyntheticRobot::placeRobotsInTheWay() {
   if (time < robotsMoveAt_) return;
   robotsMoveAt_ = time + static_cast<std::int64_t>(seeing_.uniform(1000, 3000));
@@ -223,7 +223,8 @@ void SyntheticRobot::seeEdges() {
     if (!isHidden(angle)) seeEdges(angle, tiltError);
 }
 
-/// Looks along one scan line of the image, to the border or, in a goal's mouth, to the goal.
+/// Finds the edges along one scan line of the image, up to the border or, in a goal's mouth, up to
+/// the goal.
 void SyntheticRobot::seeEdges(double angle, double tiltError) {
   constexpr double nearest = 220;  // mm; what is nearer lies below the image
   const double height = percept.cameraOffset.z();

@@ -8,7 +8,8 @@
 
 namespace gt {
 
-/// A team whose robots send each other where the ball is, and the locator of one of them.
+/// Test scene: a team whose robots send each other the ball's position, and the team ball locator
+/// of one of them.
 template <typename Locator>
 struct TeamScene {
   TeamScene() {
@@ -16,7 +17,8 @@ struct TeamScene {
     player.role = PlayerRole::striker1;
     robotPose = {{pi / 2, 500, 0}, 0.95};
   }
-  /// A message of player n that it saw the ball `age` ms before it sent that; it arrives now.
+  /// A message of player `n` arrives now: it saw the ball at `where` (mm, on the field) `age` ms
+  /// before it sent the message.
   TeamMessages::Received& receive(int n, const Vector2d& where, std::int64_t age = 0,
                                   double validity = 0.95, const Vector2d& robot = {0, 0}) {
     TeamMessages::Received& received = messages.byPlayer[static_cast<std::size_t>(n - 1)];

@@ -6,12 +6,13 @@
 namespace gt {
 namespace {
 
-// What features are measured in, so that they are about 1.
+// Units of the features, chosen so that their values are about 1.
 constexpr double usualAngle = 0.01;                      // rad
 constexpr double usualShaking = 2000, usualSpeed = 200;  // mm/s^2, mm/s
 constexpr std::array<std::size_t, 2> changes{25, 50};    // frames
 
-/// The logarithm of a deviation by its mean square; what sensors add by themselves does not count.
+/// The logarithm of a root mean square relative to its usual value, which limits the effect of the
+/// sensors' noise.
 double deviation(double meanSquare, double usual) {
   constexpr double noise = 0.2;
   return std::log(std::sqrt(std::max(0., meanSquare)) / usual + noise);

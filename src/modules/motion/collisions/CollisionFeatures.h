@@ -8,46 +8,49 @@
 
 namespace gt {
 
-/// The joints of all legs, from this one on.
+/// The first of the joints of the legs, and their number.
 constexpr std::size_t firstLegJoint = static_cast<std::size_t>(Joint::legFR1), legJoints = 12;
 
-/// Linear models of the motors of the legs' joints: the shares of a joint's last commands, the
-/// newest first, in the angle that is measured, and a constant (rad).
+/// Linear models of the motors of the legs' joints: the weights of a joint's last commands, the
+/// newest first, in the measured angle, and a constant (rad).
 constexpr std::size_t motorLag = 14;
 using LegMotors = std::array<std::array<double, motorLag + 1>, legJoints>;
 
-/// What tells a robot that something holds up from a free one: how far its legs are from where
-/// models of their motors expect them, how it shakes, and how it walks. All of the last half
-/// second.
+/// Features that distinguish a robot that is held up from a free one: the differences of its legs'
+/// joints from the predictions of models of their motors, the shaking of the body, and the walk.
+/// All refer to the last half second.
 class CollisionFeatures {
  public:
-  static constexpr std::array<std::size_t, 2> windows{20, 50};  ///< Frames: in a step, and in two.
+  /// Numbers of frames: of a step, and of two.
+  static constexpr std::array<std::size_t, 2> windows{20, 50};
   static constexpr std::size_t frames = motorLag + windows.back();
 
-  /// How far legs are off, how the body shakes, speeds, and how much these have changed.
+  /// Number of states: differences of the legs, shaking of the body, speeds, and their changes.
   static constexpr std::size_t states = 6 * windows.size() + 3 + 2;
   static constexpr std::size_t count =
       legJoints * windows.size() + states + states * (states + 1) / 2;
-  /// The logarithms of what each joint is off, for each window; the states; their products.
+  /// The logarithm of each joint's mean squared difference, for each window; the states; their
+  /// products.
   using Values = std::array<double, count>;
 
-  /// Takes a frame in which the legs were measured and commanded. Begins anew when the motion
-  /// is none of the walking engine's, is on its way there, or has another walk type.
+  /// Adds a frame with measurements and commands of the legs. Starts again if the motion is not the
+  /// walking engine's, is still changing to it, or has another walk type.
   void add(const SensorData& measured, const JointData& commanded, const MotionInfo& motion,
            const LegMotors& motors);
-  /// Whether there were enough frames.
+  /// Whether enough frames were added.
   bool ready() const { return frames_ >= frames; }
   Values values() const;
 
   /// The last commands of a joint of the legs, newest first.
   std::array<double, motorLag> commandsOf(std::size_t joint) const;
-  /// The leg that is farther off than any other.
+  /// The leg with the largest difference from the models.
   Leg mostOff() const;
 
  private:
   struct Frame {
     std::array<double, legJoints> commands{};
-    std::array<double, legJoints> squares{};  ///< rad^2: of what the joints are off.
+    /// Squared differences of the joints from the models, rad^2.
+    std::array<double, legJoints> squares{};
     Vector3d acceleration = Vector3d::Zero(), speed = Vector3d::Zero();
   };
 

@@ -5,19 +5,19 @@
 
 namespace gt {
 
-/// Solution *MotorModel* of CollisionDetector: a logistic decision by how far the legs are from
-/// where models of their motors expect them, by how the robot shakes, and by how it walks, for each
-/// walk type. Better than report 3.6, whose comparison of command and sensor tells the motors' lag
-/// from that of a leg that is held up in slow, steady walks only.
+/// Solution *MotorModel* of CollisionDetector: a logistic regression for each walk type, by the
+/// differences of the legs from the predictions of models of their motors, by the shaking of the
+/// robot, and by its walk. It is better than report 3.6, whose comparison of command and sensor
+/// distinguishes the lag of the motors from that of a held-up leg in slow, steady walks only.
 class MotorModelCollisionDetector {
  public:
-  /// How a walk type looks while nothing holds the robot up, and how while something does.
+  /// Parameters of the regression for a walk type.
   struct Walk {
     LegMotors motors{};
     std::array<double, CollisionFeatures::count> weights{};
     double constant = -20;  ///< Without weights there is no collision.
 
-    /// The logarithm of how much more likely a collision is than where it is told.
+    /// The log-odds of a collision; a collision is assumed above 0.
     double score(const CollisionFeatures::Values& features) const;
 
     static constexpr auto fields() {
@@ -35,7 +35,8 @@ class MotorModelCollisionDetector {
     Walk normal, fast, dribble;
     int inARow = 12;
 
-    /// That of a walk type; null if it is not watched. Walking back is as fast.
+    /// The parameters for a walk type; null if it is not watched. The walk type backward uses those
+    /// of fast.
     const Walk* of(WalkType type) const;
 
     static constexpr auto fields() {
@@ -48,7 +49,7 @@ class MotorModelCollisionDetector {
   };
   Parameters parameters;
 
-  /// Provides what the legs bump into; nothing during special actions, within half a second after
+  /// Provides the collisions of the legs; none during special actions, within half a second after
   /// them or after a change of the walk type, and in walk types that are not watched.
   void update(const SensorDataBuffer& sensors, const JointData& joints, const MotionInfo& motion,
               CollisionPercept& percept, Debug& debug);

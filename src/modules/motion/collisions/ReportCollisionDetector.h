@@ -10,17 +10,19 @@
 
 namespace gt {
 
-/// How the robot walks, as far as it matters for how its legs follow their commands.
+/// Kinds of walks in which the legs lag differently behind their commands.
 enum class Gait { standing, forward, backward, sideways, turning };
 
-/// Solution *Report* of CollisionDetector: compares what was requested from the legs' motors with
-/// what they did, since a leg that is held up lags behind (report 3.6).
+/// Solution *Report* of CollisionDetector: compares the commanded with the measured angles of the
+/// legs, since a leg that is held up lags behind (report 3.6).
 class ReportCollisionDetector {
  public:
-  static constexpr int window = 12;      ///< Squared differences that are summed.
-  static constexpr int mostFrames = 16;  ///< By which commands may be ahead of the sensors.
+  static constexpr int window = 12;  ///< Number of squared differences that are summed.
+  /// Greatest number of frames by which commands may be ahead of the sensors.
+  static constexpr int mostFrames = 16;
 
-  /// The thresholds of a gait by its speed: bands of 40 mm/s, the last one for all that is faster.
+  /// The thresholds of a gait by its speed: bands of 40 mm/s, of which the last one includes all
+  /// higher speeds.
   static constexpr std::size_t speeds = 6;
   static constexpr double speedBand = 40;  ///< mm/s
   using SpeedTable = std::array<double, speeds>;
@@ -61,15 +63,15 @@ class ReportCollisionDetector {
   };
   Parameters parameters;
 
-  /// Where the threshold of a motion stands in the table. What turns is as fast as its feet.
+  /// Index of a motion's threshold in the table. The speed of a turn is that of its feet.
   struct Place {
     Gait gait;
     std::size_t speed;
   };
   static Place placeOf(const MotionRequest& motion);
 
-  /// Provides what the legs bump into. Without enough sensor readings, and during special actions,
-  /// there is none.
+  /// Provides the collisions of the legs; none without enough sensor readings, and none during
+  /// special actions.
   void update(const SensorDataBuffer& sensors, const JointData& joints, const MotionInfo& motion,
               CollisionPercept& percept, Debug& debug);
 

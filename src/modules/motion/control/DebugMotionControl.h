@@ -7,8 +7,8 @@
 namespace gt {
 
 /// Solution *Debug* of MotionControl: ignores all motion requests and executes sequences of joint
-/// data that a person sends (report J.5.4). Otherwise the robot stays as forced: each joint keeps
-/// its angle until somebody turns it by hand, and stays there then.
+/// data that a person sends (report J.5.4). Otherwise each joint keeps its angle until somebody
+/// turns it by hand, and then stays at the new angle ("stay as forced").
 class DebugMotionControl {
  public:
   struct Parameters {
@@ -19,19 +19,20 @@ class DebugMotionControl {
       return Fields{
           field<&Parameters::tolerance>(
               Unit::rad,
-              "a joint that is farther from where it shall be is turned by hand; legs give way "
-              "by up to 0.05 under the robot's weight",
+              "difference from the target angle above which a joint is turned by hand; legs give "
+              "way by up to 0.05 under the robot's weight",
               {0.01, 1}),
           field<&Parameters::settling>(
               Unit::s,
-              "time in which joints arrive after a sequence: meanwhile nobody turns them by hand",
+              "time in which joints reach their angles after a sequence, during which turning by "
+              "hand is not detected",
               {0, 5})};
     }
   };
   Parameters parameters;
 
-  /// Provides the joints' angles, with the gains as recommended; the odometry stays as it was. Each
-  /// sequence is executed once, also one that came together with the switch to this solution.
+  /// Provides the joints' angles, with the recommended gains; the odometry does not change. Each
+  /// sequence is executed once, also one that arrived together with the switch to this solution.
   void update(const SensorDataBuffer& sensors, const JointDataSequence& sequence, JointData& joints,
               JointGains& gains, OdometryData& odometry, MotionInfo& info);
 
@@ -40,12 +41,12 @@ class DebugMotionControl {
   void stayAsForced(const JointAngles& measured);
 
   bool begun_ = false;
-  int number_ = 0;        ///< Of the last sequence.
-  bool playing_ = false;  ///< It is being executed.
+  int number_ = 0;        ///< Number of the last sequence.
+  bool playing_ = false;  ///< Whether a sequence is being executed.
   std::size_t line_ = 0;
-  int frame_ = 0;        ///< Of the line.
-  JointAngles from_;     ///< Where the line began.
-  double settling_ = 0;  ///< For how long joints may still arrive, in s.
+  int frame_ = 0;        ///< Frame within the line.
+  JointAngles from_;     ///< Angles at the beginning of the line.
+  double settling_ = 0;  ///< Remaining time in which joints reach their angles, in s.
   JointAngles angles_;
 };
 

@@ -4,20 +4,22 @@
 
 namespace gt {
 
-/// Solution *Default* of LEDControl: lights what the behavior asks for, blinking with the clock.
+/// Solution *Default* of LEDControl: switches the LEDs that the behavior requests, blinking with
+/// the clock.
 class DefaultLEDControl {
  public:
   struct Parameters {
     int slowPeriod = 1000, fastPeriod = 250;
 
     static constexpr auto fields() {
-      return Fields{field<&Parameters::slowPeriod>(Unit::ms, "on and off", {16, 10000}),
-                    field<&Parameters::fastPeriod>(Unit::ms, "on and off", {16, 10000})};
+      return Fields{
+          field<&Parameters::slowPeriod>(Unit::ms, "period of slow blinking", {16, 10000}),
+          field<&Parameters::fastPeriod>(Unit::ms, "period of fast blinking", {16, 10000})};
     }
   };
   Parameters parameters;
 
-  /// Provides the LEDs: those that are requested, blinking by the time of the frame.
+  /// Provides the states of the LEDs: those requested, blinking by the time of the frame.
   void update(const LedRequest& request, const FrameInfo& frame, LedValue& value);
 };
 

@@ -121,11 +121,11 @@ DefaultMotionControl::Mover DefaultMotionControl::moverFor(const MotionRequest& 
 }
 
 void DefaultMotionControl::choose(Mover wanted, bool mayLeave) {
-  // Who has fallen does not walk to an end.
+  // A fallen robot leaves the walk at once.
   const bool falls = wanted == Mover::getupEngine && mover_ == Mover::walkingEngine;
   if (wanted == mover_ || !(mayLeave || falls)) return;
   mover_ = wanted;
-  // Special actions come from where the joints are by themselves.
+  // Special actions interpolate from the present angles by themselves.
   changing_ = mover_ == Mover::walkingEngine;
 }
 

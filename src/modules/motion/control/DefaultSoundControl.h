@@ -4,12 +4,12 @@
 
 namespace gt {
 
-/// Solution *Default* of SoundControl: has the loudspeaker play a wave file when the behavior
+/// Solution *Default* of SoundControl: plays a wave file by the loudspeaker when the behavior
 /// requests it.
 class DefaultSoundControl {
  public:
-  /// Provides what the loudspeaker plays: a sound begins when it is requested and was not requested
-  /// in the last cycle; it is played to its end, unless another one begins.
+  /// Provides the sound for the loudspeaker. A sound begins when it is requested and was not
+  /// requested in the last cycle. It is played to its end, unless another one begins.
   void update(const SoundRequest& request, const FrameInfo& frame, Speaker& speaker);
 
  private:

@@ -3,8 +3,8 @@
 
 namespace gt {
 
-/// Changes angles to the nearest that the motors can take: within their limits, and with the legs
-/// beside the body.
+/// Changes angles to the nearest ones that the motors can reach: within their limits, and without
+/// legs that touch the body.
 void keepWithinLimits(JointAngles& angles);
 
 }  // namespace gt

@@ -14,10 +14,11 @@
 
 namespace gt {
 
-/// Solution *Gravity* of GetupEngine: brings the robot to a stand from everywhere (report 3.9).
-/// Where the acceleration points says how it lies, and by that which special action of the motion
-/// net is performed; so it goes on, action after action, until one has ended upright: each of them
-/// ends with the stand. A robot that is upright at first may lie on its belly or sit.
+/// Solution *Gravity* of GetupEngine: lets the robot stand up from any posture (report 3.9). The
+/// direction of the acceleration determines how the robot lies and which special action of the
+/// motion net is performed. Actions are repeated until one has ended upright; each of them ends
+/// with standing. A robot that is upright at first may lie on its belly or sit, so at least one
+/// action is performed.
 class GravityGetupEngine {
  public:
   struct Parameters {
@@ -27,20 +28,21 @@ class GravityGetupEngine {
     static constexpr auto fields() {
       using P = Parameters;
       return Fields{
-          field<&P::upright>(Unit::rad, "a body that leans by less stands", {0.05, 1.5}),
-          field<&P::average>(Unit::s, "over which the acceleration is averaged", {0.008, 1})};
+          field<&P::upright>(Unit::rad, "inclination of the body below which it is upright",
+                             {0.05, 1.5}),
+          field<&P::average>(Unit::s, "time constant of averaging the acceleration", {0.008, 1})};
     }
   };
   Parameters parameters;
 
-  /// Provides the joints of the action that gets the robot up, all "don't care" while it does
-  /// something else or stands.
+  /// Provides the joint angles of the action that gets the robot up; all are "don't care" during
+  /// other motions and while it stands.
   void update(const FrameInfo& frame, const SensorDataBuffer& sensors, const MotionNet& net,
               Previous<MotionInfo> motion, Previous<JointData> joints, GetupEngineOutput& output,
               Debug& debug);
 
  private:
-  /// The action for a robot that lies so that this direction points up.
+  /// The action for a lying robot; `up` is the direction of up in the body's axes.
   std::string_view actionFor(const Vector3d& up) const;
 
   Vector3d acceleration_ = Vector3d::Zero();  ///< Averaged, mm/s^2.

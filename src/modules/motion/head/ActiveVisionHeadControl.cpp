@@ -29,7 +29,7 @@ std::array<Vector2d, 10> landmarksOf(const FieldDimensions& field) {
   return landmarks;
 }
 
-/// Information (nats) on a position in the plane whose standard deviation grows.
+/// The loss of information (nats) on a position in the plane if its standard deviation grows.
 double lost(double deviation, double growth) {
   return 2 * std::log1p(growth / deviation);
 }
@@ -53,7 +53,7 @@ void ActiveVisionHeadControl::update(const HeadControlMode& mode, const BallMode
   players_ = nullptr;
 }
 
-/// Takes note of what the camera looks at, as often as it takes images.
+/// Records the directions and landmarks that the camera looks at, as often as it takes images.
 void ActiveVisionHeadControl::remember(const SensorData& sensors, double bodyTilt, Time now) {
   constexpr std::int64_t imagePeriod = 40;  // ms
   if (remembered_ == never()) looked_.fill(never());

@@ -10,12 +10,11 @@
 namespace gt {
 
 /// Solution *ActiveVision* of HeadControl, beyond the report: all head control modes are those of
-/// GT2003, but search-auto looks away from the ball where the expected gain of information is
-/// greatest for the time that it takes. What counts is measured in nats: how much better the pose
-/// would be known by the landmarks on the way (PoseUncertainty), how much better known opponents
-/// would be, and how many unknown ones there may be where the robot has not looked for long. The
-/// ball's place gets uncertain meanwhile, which is the price. Without any gain it stays at the
-/// ball.
+/// GT2003, except that search-auto looks away from the ball in the direction with the greatest
+/// expected gain of information per time. The gain is measured in nats: information on the pose
+/// from landmarks on the path (PoseUncertainty), on known opponents, and on unknown ones in
+/// directions in which the robot has not looked for long. Its cost is the growing uncertainty of
+/// the ball's position. Without any gain the head continues to look at the ball.
 class ActiveVisionHeadControl : private GT2003HeadControl {
  public:
   struct Parameters {
@@ -35,24 +34,29 @@ class ActiveVisionHeadControl : private GT2003HeadControl {
       return Fields{
           field<&P::modes>(),
           field<&P::pose>(),
-          field<&P::landmarkWeight>("worth of information on the pose", {0, 100}),
-          field<&P::opponentWeight>("worth of information on opponents", {0, 100}),
-          field<&P::ballWeight>("worth of information on the ball", {0, 100}),
+          field<&P::landmarkWeight>("weight of information on the pose", {0, 100}),
+          field<&P::opponentWeight>("weight of information on opponents", {0, 100}),
+          field<&P::ballWeight>("weight of information on the ball", {0, 100}),
           field<&P::glanceSpeed>(Unit::radPerS, "speed of the head off the ball and back",
                                  {0.5, 3}),
-          field<&P::opponentSpeed>(Unit::mmPerS, "by which an opponent may be elsewhere meanwhile",
-                                   {1, 1000}),
-          field<&P::ballSpeed>(Unit::mmPerS, "by which the ball may be elsewhere meanwhile",
+          field<&P::opponentSpeed>(
+              Unit::mmPerS, "growth of the uncertainty of an opponent that is not seen", {1, 1000}),
+          field<&P::ballSpeed>(Unit::mmPerS,
+                               "growth of the uncertainty of a resting ball that is not seen",
                                {1, 3000}),
           field<&P::unseenAfter>(
-              Unit::s, "time after which anyone may be where the robot does not look", {0.5, 60}),
+              Unit::s,
+              "time constant after which unknown opponents may be in a direction that is not "
+              "looked at",
+              {0.5, 60}),
           field<&P::leastValidity>(
-              "of the pose: below it the robot scans both sides in turn, as GT2003 does", {0, 1})};
+              "validity of the pose below which the robot scans both sides in turn, as GT2003 does",
+              {0, 1})};
     }
   };
   Parameters parameters;
 
-  /// Provides where the head shall be, as GT2003HeadControl does.
+  /// Provides the target angles of the head (rad), as GT2003HeadControl does.
   void update(const HeadControlMode& mode, const BallModel& ball, const RobotPose& pose,
               const PlayersCollection& players, const SensorDataBuffer& sensors,
               const RobotDimensions& robot, const RobotCalibration& calibration,
@@ -79,9 +83,10 @@ class ActiveVisionHeadControl : private GT2003HeadControl {
   Pose2D robot_;
   double validity_ = 0;
   const PlayersCollection* players_ = nullptr;  ///< During an update.
-  std::array<Vector2d, 10> landmarks_;          ///< Flags and goal posts.
+  std::array<Vector2d, 10> landmarks_;          ///< Flags and goal posts, mm, on the field.
   PoseUncertainty pose_;
-  std::array<Time, sectors> looked_;  ///< When each direction of the field was in an image last.
+  /// Time at which each direction on the field was last in an image.
+  std::array<Time, sectors> looked_;
   Time remembered_ = never();
 };
 

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double ballRadius = 43;
 
-/// A measured angle, or what was requested if the joint was not turned away from that.
+/// The requested angle, or the measured one if the joint was turned away from it by more than the
+/// tolerance.
 double forced(double requested, double measured, double tolerance) {
   return std::clamp(requested, measured - tolerance, measured + tolerance);
 }
@@ -148,7 +149,7 @@ HeadAngles GT2003HeadControl::scanLeftRight(const HeadControlMode& mode, const S
   return path_.next();
 }
 
-/// Controls the joints with feedback from the sensors: whoever turns the head leaves it there
+/// Controls the joints with feedback from the sensors, so that a head turned by hand stays there
 /// (report J.5.4).
 void GT2003HeadControl::stayAsForced(const JointAngles& measured,
                                      HeadMotionRequest& request) const {

@@ -43,20 +43,25 @@ class GT2003HeadControl {
                               {100, 880}),
           field<&P::scanWidth>(Unit::rad, "search-auto: width of a scan to one side of the ball",
                                {0.1, 2}),
-          field<&P::rollingSpeed>(Unit::mmPerS,
-                                  "search-auto: a ball that rolls faster is watched without scans",
-                                  {0, 5000}),
-          field<&P::rollingNear>(Unit::mm, "search-auto: if it is nearer", {0, 10000}),
-          field<&P::ballLostAfter>(
-              Unit::ms, "time after which a ball that is not where it is looked for is lost",
-              {100, 5000}),
+          field<&P::rollingSpeed>(
+              Unit::mmPerS,
+              "search-auto: speed above which a near rolling ball is watched without scans",
+              {0, 5000}),
+          field<&P::rollingNear>(
+              Unit::mm, "search-auto: distance below which a rolling ball is watched without scans",
+              {0, 10000}),
+          field<&P::ballLostAfter>(Unit::ms,
+                                   "time after which a ball that is looked at and not seen is lost",
+                                   {100, 5000}),
           field<&P::ballSearchTime>(Unit::ms, "time of one round of searching the ball",
                                     {1000, 10000}),
           field<&P::searchNear>(
               Unit::mm,
-              "a ball that was last nearer is searched near first, then in every other round",
+              "distance of the last seen ball below which it is searched near the robot first, "
+              "then in every other round",
               {0, 10000}),
-          field<&P::nearSearchTime>(Unit::ms, "time of such a round", {1000, 10000}),
+          field<&P::nearSearchTime>(
+              Unit::ms, "time of one round of searching the ball near the robot", {1000, 10000}),
           field<&P::landmarkSearchTime>(Unit::ms, "time of one round of looking for landmarks",
                                         {1000, 10000}),
           field<&P::horizonTilt>(Unit::rad,
@@ -64,7 +69,8 @@ class GT2003HeadControl {
                                  {-0.5, 0.5}),
           field<&P::aheadTilt>(
               Unit::rad,
-              "tilt of the camera when looking straight ahead: balls from 300 mm on are seen",
+              "tilt of the camera when it looks straight ahead: balls farther away than 300 mm are "
+              "seen",
               {-1, 0.5}),
           field<&P::scanSpeed>(Unit::radPerS, "scan-left-right: speed of the pan joint", {0.1, 3}),
           field<&P::forcedTolerance>(
@@ -76,18 +82,19 @@ class GT2003HeadControl {
 
   virtual ~GT2003HeadControl() = default;
 
-  /// Provides where the head shall be. It is where the newest sensor readings say, whatever their
-  /// age; a ball that was never seen is searched.
+  /// Provides the target angles of the head (rad). Its present angles are the newest sensor
+  /// readings, whatever their age. A ball that was never seen is searched for.
   void update(const HeadControlMode& mode, const BallModel& ball, const SensorDataBuffer& sensors,
               const RobotDimensions& robot, const RobotCalibration& calibration,
               const FrameInfo& frame, HeadMotionRequest& request);
 
  protected:
-  static constexpr double widestPan = 1.45;  ///< rad, to each side.
-  /// rad/s, of the tilt joint in scans: servos that are weaker than others follow that, too.
+  static constexpr double widestPan = 1.45;  ///< Greatest pan of scans to each side, rad.
+  /// Speed of the tilt joint in scans (rad/s), which weaker servos can follow, too.
   static constexpr double tiltSpeed = 1.6;
 
-  /// What the states need to know in a frame.
+  /// Inputs of the states in a frame. The body's pose (mm) is relative to the robot, angles are in
+  /// rad.
   struct Situation {
     const BallModel& ball;
     Time now;
@@ -96,14 +103,14 @@ class GT2003HeadControl {
     HeadAngles ballAngles;
     HeadAngles measured;
   };
-  /// A scan of search-auto: off the ball and back.
+  /// A scan of search-auto: away from the ball and back.
   struct Glance {
-    double pan;       ///< rad, where it turns back
+    double pan;       ///< Pan at which it turns back, rad.
     double duration;  ///< ms
   };
 
-  /// Decides how to look away from a ball that was watched for long enough; empty to go on watching
-  /// it. This one scans to both sides in turn (report 3.9.3.1). Has a side effect.
+  /// Decides how to look away from a ball that was watched for long enough; empty to continue to
+  /// watch it. This implementation scans to both sides in turn (report 3.9.3.1). Has a side effect.
   virtual std::optional<Glance> chooseGlance(const Situation& situation);
 
  private:
@@ -130,11 +137,11 @@ class GT2003HeadControl {
 
   State state_ = State::idle;
   Time entered_;
-  bool scanLeft_ = true;       ///< The side that is scanned next.
-  bool searchesNear_ = false;  ///< In this round of searching the ball.
+  bool scanLeft_ = true;       ///< Whether the next scan is to the left.
+  bool searchesNear_ = false;  ///< Whether this round searches the ball near the robot.
   HeadAngles head_;
   HeadPathPlanner path_;
-  double scanTilt_ = 0, scanRange_ = 0;  ///< What the path from left to right was planned for.
+  double scanTilt_ = 0, scanRange_ = 0;  ///< Parameters of the planned path from left to right.
 };
 
 }  // namespace gt

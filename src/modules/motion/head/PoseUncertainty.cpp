@@ -7,7 +7,7 @@
 namespace gt {
 namespace {
 
-/// What direction and distance of a landmark say of the pose.
+/// The information matrix of the pose from direction and distance of a landmark.
 Eigen::Matrix3d information(const Pose2D& robot, const Vector2d& landmark,
                             const PoseUncertainty::Parameters& p) {
   constexpr double nearest = 200;  // mm

@@ -12,7 +12,7 @@ bool contains(const MotionNet& net, int node) {
   return node >= 0 && node < static_cast<int>(net.nodes.size());
 }
 
-/// One of `count` equal steps along an arc that together make a displacement.
+/// One of `count` equal steps along an arc whose sum is a displacement.
 Pose2D stepOf(const Pose2D& displacement, int count) {
   const double whole = displacement.rotation, part = whole / count;
   // The chord of a share of the arc: shorter than a share of the chord, and turned.

@@ -9,7 +9,7 @@
 namespace gt {
 namespace {
 
-/// Motions that the modules of the motion ask for themselves.
+/// Motions that the modules of the motion request themselves.
 constexpr std::string_view needed[] = {standAction, getupFromBelly, getupFromSide, getupFromBack,
                                        getupFromNose};
 

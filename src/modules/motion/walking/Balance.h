@@ -7,28 +7,29 @@
 
 namespace gt {
 
-/// What a walk does not expect, found without a gyroscope. All steps of a walk are alike: for each
-/// frame of the step cycle there is a mean of the acceleration and of each leg's lag behind its
-/// target. What differs from the former was a push, whose speed follows by integration; what
-/// differs from the latter is a foot that has met something.
+/// Detects pushes and stumbling without a gyroscope. All steps of a walk are alike: for each frame
+/// of the step cycle the mean acceleration and the mean lag of each leg behind its target are
+/// learned. A difference of the acceleration is a push, whose speed is computed by integration. A
+/// difference of the lag is a foot that has met an obstacle.
 class Balance {
  public:
-  /// Takes what was measured in a frame of the step cycle, and the joints that were asked for.
+  /// Adds the measurements and the requested joint angles of a frame of the step cycle, whose
+  /// length is `stepLen` (frames).
   void update(const BalanceParameters& parameters, const SensorData& measured,
               const JointAngles& asked, int frame, int stepLen);
-  /// The walk has ended, or is another one.
+  /// Forgets all means, after the walk has ended or changed.
   void forget();
 
-  /// The speed of the body that the walk did not mean (mm/s, in the robot's axes).
+  /// The speed of the body caused by a push (mm/s, in the robot's axes), reduced by the threshold.
   Vector2d unexpectedSpeed() const;
-  /// Whether a leg is held back.
+  /// Whether a leg is held back by an obstacle.
   bool stumbles(Leg leg) const { return stumbles_[leg]; }
 
  private:
   struct Expected {
     Vector2d acceleration = Vector2d::Zero();  ///< mm/s^2
     EnumArray<Leg, double> lag;                ///< rad, of the first joint
-    int cycles = 0;                            ///< From so many it is known.
+    int cycles = 0;                            ///< Number of step cycles that were learned from.
   };
 
   std::vector<Expected> cycle_;

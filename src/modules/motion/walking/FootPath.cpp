@@ -6,8 +6,8 @@
 namespace gt {
 namespace {
 
-/// A share of the way around an ellipse with half axes 1 and `height`, which begins at its rear end
-/// and first goes up.
+/// The point at a share of the path around an ellipse with half axes 1 and `height`, which begins
+/// at its rear end and first goes up.
 FootPath::Point onEllipse(double share, double height) {
   const double angle = pi * share;
   return {-std::cos(angle), 0, 0, height * std::sin(angle)};

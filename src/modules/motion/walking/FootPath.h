@@ -3,35 +3,38 @@
 
 namespace gt {
 
-/// The path of one foot through a step cycle (report, figures 3.20 and 3.22), whatever the speed.
+/// The path of one foot through a step cycle (report, figures 3.20 and 3.22), independent of the
+/// speed.
 ///
-/// A cycle begins when the foot is lifted. Lengths along the walk are in units of half the way that
-/// the foot makes on the ground: it lands at 1 and is lifted at -1, unless the parameters say
+/// A cycle begins when the foot is lifted. Lengths along the walk are in units of half the distance
+/// that the foot moves on the ground: it lands at 1 and is lifted at -1, unless parameters define
 /// otherwise (FootMode::freeFormQuad).
 class FootPath {
  public:
   FootPath(const WalkParameters& parameters, Leg leg);
 
-  /// Where the foot is.
+  /// The position of the foot relative to its center. `along` is in units of the path.
   struct Point {
     double along = 0;
-    double beyond = 0;  ///< mm, further ahead than that.
+    double beyond = 0;  ///< mm, ahead, added to `along`.
     double aside = 0;   ///< mm away from the body.
     double height = 0;  ///< mm
   };
 
-  /// A point by the share of the cycle that has passed since the foot was lifted, in [0, 1).
+  /// The point at a phase: the share of the cycle that has passed since the foot was lifted, in [0,
+  /// 1).
   Point at(double phase) const;
   bool inAir(double phase) const { return phase < air_; }
   double airPhase() const { return air_; }
   double groundPhase() const { return 1 - air_; }
-  /// Where it lands, and where it is lifted.
+  /// The points where the foot lands and where it is lifted.
   Point landing() const { return onGround(0); }
   Point lifting() const { return onGround(1); }
 
  private:
   Point onGround(double share) const;
-  /// By the progress through lifting (0 to 1), the way ahead (1 to 2) and lowering (2 to 3).
+  /// The point in the air by the progress: lifting (0 to 1), moving ahead (1 to 2) and lowering (2
+  /// to 3).
   Point inFlight(double progress) const;
 
   FootMode mode_;

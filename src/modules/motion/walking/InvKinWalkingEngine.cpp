@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::array legs{Leg::foreRight, Leg::foreLeft, Leg::hindRight, Leg::hindLeft};
 
-/// Where a body is after it has moved at a constant speed, along a line or an arc.
+/// The displacement of a body that moves at a constant speed (mm/s, rad/s) for a time (s), along a
+/// line or an arc.
 Pose2D motionDuring(const Pose2D& speed, double seconds) {
   const double angle = speed.rotation * seconds;
   const Vector2d way = speed.translation * seconds;

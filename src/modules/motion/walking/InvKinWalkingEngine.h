@@ -13,15 +13,15 @@
 namespace gt {
 
 /// Solution *InvKin* of WalkingEngine: moves the feet like wheels around their centers, on the
-/// ground against the body's motion, in the air back again, and finds the joints by inverse
-/// kinematics (report 3.9.1). With speed 0 it stands. Each walk type has parameters of its own; a
-/// new type begins when all feet are on the ground.
+/// ground against the body's motion, in the air back again, and computes the joint angles by
+/// inverse kinematics (report 3.9.1). With speed 0 the robot stands. Each walk type has parameters
+/// of its own; a new type begins when all feet are on the ground.
 class InvKinWalkingEngine {
  public:
   using Parameters = WalkTypes;
   Parameters parameters;
 
-  /// Provides the legs' angles and the step that they make; those of standing while another module
+  /// Provides the legs' angles (rad) and the odometry step; those of standing while another module
   /// moves the robot, or if the request is too old.
   void update(const FrameInfo& frame, const MotionRequest& request, const RobotDimensions& robot,
               const SensorDataBuffer& sensors, Previous<MotionInfo> motion,
@@ -30,16 +30,16 @@ class InvKinWalkingEngine {
  private:
   struct Foot {
     Vector2d center = Vector2d::Zero(), position = Vector2d::Zero(), liftedAt = Vector2d::Zero();
-    Vector3d offset = Vector3d::Zero();  ///< By the path, beside its position.
+    Vector3d offset = Vector3d::Zero();  ///< Offset from `position` by the path of the foot, mm.
     bool inAir = false;
-    bool rests = true;  ///< Since it stood still it was not lifted.
-    double raised = 0;  ///< By how much it is higher (mm), since it has met something.
+    bool rests = true;  ///< Whether it was not lifted since the robot stood still.
+    double raised = 0;  ///< Height added after it has met an obstacle, mm.
   };
 
-  /// How the body stands on its feet: it changes slowly with the walk type.
+  /// Heights and tilts of the stance, which change slowly after a change of the walk type.
   struct Stance {
     double foreHeight = 0, hindHeight = 0;  ///< mm
-    double foreTilt = 0, hindTilt = 0;      ///< rad, of the feet's paths
+    double foreTilt = 0, hindTilt = 0;      ///< Tilts of the feet's paths, rad.
   };
 
   const WalkParameters& walk() const { return parameters[type_]; }
@@ -52,14 +52,15 @@ class InvKinWalkingEngine {
   bool flies() const;
   void rest();
   void accelerate(const Pose2D& target);
-  /// Takes what the walk did not expect.
+  /// Reacts to pushes and obstacles that the sensors show.
   void balance(const SensorData& measured, const JointAngles& asked);
   void moveFoot(Leg);
   void shiftBody();
   bool standing() const;
-  /// The speed of the feet for a request, clipped to what the steps allow.
+  /// The speed of the feet (mm/s, rad/s) for a requested speed of the robot, limited by the size of
+  /// the steps.
   Pose2D allowed(const Pose2D& request) const;
-  /// The speed of the robot that the feet's speed yields (report 3.9.1.3).
+  /// The speed of the robot (mm/s, rad/s) that results from the speed of the feet (report 3.9.1.3).
   Pose2D measured(const Pose2D& ofFeet) const;
   Pose2D speedOf(Leg, const Pose2D& speed) const;
   /// The time in which a foot on the ground moves by one unit of its path (s).
@@ -74,12 +75,13 @@ class InvKinWalkingEngine {
   WalkType type_ = WalkType::normal;
   Stance stance_;
   std::array<Foot, 4> feet_;
-  Pose2D speed_;  ///< Of the feet, before the correction.
+  Pose2D speed_;  ///< Speed of the feet, before the correction.
   Balance balance_;
-  Pose2D moving_;                          ///< The same, and what they yield to a push.
-  Vector2d placement_ = Vector2d::Zero();  ///< By which feet land farther after a push (mm).
-  Vector2d bodyShift_ = Vector2d::Zero();  ///< mm
-  double swing_ = 0;                       ///< Share of the body's shift: 0 in the stand.
+  /// Speed of the feet, with the speed by which they yield to a push.
+  Pose2D moving_;
+  Vector2d placement_ = Vector2d::Zero();  ///< Shift of the landing feet after a push, mm.
+  Vector2d bodyShift_ = Vector2d::Zero();  ///< Shift of the body, mm.
+  double swing_ = 0;                       ///< Factor to the body's shift; 0 while standing.
   int frame_ = -1;                         ///< In the step cycle; -1 before the first.
 };
 

@@ -9,12 +9,13 @@
 
 namespace gt {
 
-/// The closed path of a foot, seen from its side (report, figure 3.20). In all of them it passes
-/// the ground from front to back; footLift is how high they are.
+/// The closed path of a foot, seen from its side (report, figure 3.20). In all modes the foot moves
+/// from front to back on the ground; footLift is the height of the path.
 enum class FootMode {
-  rectangle,    ///< Straight up, ahead, and straight down.
+  rectangle,    ///< Straight up, ahead, straight down.
   halfEllipse,  ///< Up and ahead along half an ellipse.
-  ellipse,      ///< A whole one: on the ground the foot presses the body up by half of footLift.
+  /// A whole ellipse: on the ground the foot presses the body up by half of footLift.
+  ellipse,
   oval,         ///< Two straight lines, joined by half circles behind and ahead of them.
   freeFormQuad  ///< Along the sides of a quadruple, whose corners are parameters.
 };
@@ -22,9 +23,9 @@ enum class FootMode {
 /// A walk as parameters, with the names of report 3.9.1.2. Lengths in mm; shares are those of the
 /// step cycle.
 struct WalkParameters {
-  /// The corners of FootMode::freeFormQuad, where the foot is on its way: it lands at the first, is
-  /// lifted at the second, and returns by the third and fourth. Coordinates: x ahead, in units of
-  /// half the way on the ground; y away from the body; z up.
+  /// The corners of FootMode::freeFormQuad: the foot lands at the first, is lifted at the second,
+  /// and returns by the third and fourth. Coordinates: x ahead, in units of half the distance on
+  /// the ground; y away from the body, mm; z up, mm.
   using Quadruple = std::array<Vector3d, 4>;
   static Quadruple trapezoid() {
     return {Vector3d{1, 0, 0}, Vector3d{-1, 0, 0}, Vector3d{-0.6, 0, 15}, Vector3d{0.9, 0, 15}};
@@ -50,13 +51,13 @@ struct WalkParameters {
   Quadruple foreFreeFormQuadPos = trapezoid(), hindFreeFormQuadPos = trapezoid();
   double correctionX = 1, correctionY = 1, correctionR = 1, driftX = 0, turnCenter = 0;
 
-  /// The measured speed of a robot whose feet move so (mm/s, rad/s; report 3.9.1.3).
+  /// The measured speed of a robot for a speed of its feet (mm/s, rad/s; report 3.9.1.3).
   Pose2D speedOf(const Pose2D& feet) const {
     const double turn = correctionR * (feet.rotation - counterRotation * feet.translation.y());
     return {turn, correctionX * feet.translation.x() + driftX,
             correctionY * feet.translation.y() + turnCenter * turn};
   }
-  /// How the feet move for it: the inverse.
+  /// The speed of the feet for a speed of the robot: the inverse of speedOf.
   Pose2D feetFor(const Pose2D& speed) const {
     const double y = (speed.translation.y() - turnCenter * speed.rotation) / correctionY;
     return {speed.rotation / correctionR + counterRotation * y,
@@ -86,9 +87,10 @@ struct WalkParameters {
                                    {0.1, 3}),
         field<&P::maxStepSizeX>(Unit::mm, "greatest distance of a foot from its center", {1, 80}),
         field<&P::maxStepSizeY>(Unit::mm, "greatest distance of a foot from its center", {1, 80}),
-        field<&P::maxSpeedXChange>(Unit::mmPerS2, "greatest acceleration", {1, 1e5}),
-        field<&P::maxSpeedYChange>(Unit::mmPerS2, "greatest acceleration", {1, 1e5}),
-        field<&P::maxRotationChange>(Unit::radPerS2, "greatest acceleration", {0.01, 1e3}),
+        field<&P::maxSpeedXChange>(Unit::mmPerS2, "greatest acceleration ahead and back", {1, 1e5}),
+        field<&P::maxSpeedYChange>(Unit::mmPerS2, "greatest acceleration sideways", {1, 1e5}),
+        field<&P::maxRotationChange>(Unit::radPerS2, "greatest acceleration of turning",
+                                     {0.01, 1e3}),
         field<&P::counterRotation>(
             Unit::radPerMm,
             "turn for each mm walked sideways, against the turn that slipping makes",
@@ -109,17 +111,20 @@ struct WalkParameters {
         field<&P::bodyShiftOffset>(
             "share of the cycle by which it does so before the foot is lifted", {-0.5, 0.5}),
         field<&P::holdsHead>("whether the walk itself turns the head and mouth"),
-        field<&P::headTilt>(Unit::rad, "the head's tilt, if the walk turns it", {-1.44, 0.76}),
-        field<&P::headPan>(Unit::rad, "the head's pan, if the walk turns it", {-1.57, 1.57}),
-        field<&P::headRoll>(Unit::rad, "the head's roll, if the walk turns it", {-0.51, 0.51}),
-        field<&P::mouth>(Unit::rad, "the mouth, if the walk turns it", {-0.83, 0}),
+        field<&P::headTilt>(Unit::rad, "tilt of the head while `holdsHead`", {-1.44, 0.76}),
+        field<&P::headPan>(Unit::rad, "pan of the head while `holdsHead`", {-1.57, 1.57}),
+        field<&P::headRoll>(Unit::rad, "roll of the head while `holdsHead`", {-0.51, 0.51}),
+        field<&P::mouth>(Unit::rad, "angle of the mouth while `holdsHead`", {-0.83, 0}),
         field<&P::foreFreeFormQuadPos>(
-            "corners of a fore foot's path: x in half ways on the ground, y and z in mm"),
-        field<&P::hindFreeFormQuadPos>("those of a hind foot's path"),
-        field<&P::correctionX>(
-            "measured speed ahead or back, as a share of that of the feet (3.9.1.3)", {0.2, 5}),
-        field<&P::correctionY>("measured speed, as a share of that of the feet", {0.2, 5}),
-        field<&P::correctionR>("measured speed, as a share of that of the feet", {0.2, 5}),
+            "corners of a fore foot's path for freeFormQuad: x in half distances on the ground, y "
+            "and z in mm"),
+        field<&P::hindFreeFormQuadPos>(
+            "corners of a hind foot's path for freeFormQuad: x in half distances on the ground, y "
+            "and z in mm"),
+        field<&P::correctionX>("measured speed ahead or back, as a share of the feet's (3.9.1.3)",
+                               {0.2, 5}),
+        field<&P::correctionY>("measured speed sideways, as a share of the feet's", {0.2, 5}),
+        field<&P::correctionR>("measured turning speed, as a share of the feet's", {0.2, 5}),
         field<&P::driftX>(
             Unit::mmPerS,
             "measured speed ahead that steps make by themselves, also those to the side or back",
@@ -131,8 +136,8 @@ struct WalkParameters {
   }
 };
 
-/// How a walk reacts to what it does not expect (Balance); 0 everywhere: not at all, as in the
-/// report.
+/// The reaction of walks to pushes and obstacles (Balance). With `yield`, `placement` and `lift` 0
+/// there is none, as in the report.
 struct BalanceParameters {
   double yield = 0;
   double placement = 0;
@@ -145,24 +150,25 @@ struct BalanceParameters {
   static constexpr auto fields() {
     using P = BalanceParameters;
     return Fields{
-        field<&P::yield>("share of an unexpected speed with which the feet move along", {0, 2}),
-        field<&P::placement>(
-            Unit::s, "by how much of the unexpected speed the feet land farther in its direction",
-            {0, 1}),
-        field<&P::farthest>(Unit::mm, "at most", {0, 80}),
-        field<&P::memory>(Unit::s, "time constant in which an unexpected speed is forgotten",
+        field<&P::yield>("share of the unexpected speed after a push that the feet follow", {0, 2}),
+        field<&P::placement>(Unit::s, "shift of a landing foot per unexpected speed after a push",
+                             {0, 1}),
+        field<&P::farthest>(Unit::mm, "greatest shift of a landing foot after a push", {0, 80}),
+        field<&P::memory>(Unit::s,
+                          "time constant with which the unexpected speed after a push is forgotten",
                           {0.05, 5}),
-        field<&P::threshold>(Unit::mmPerS, "unexpected speed that does not count", {0, 1000}),
+        field<&P::threshold>(Unit::mmPerS, "unexpected speed below which a push is ignored",
+                             {0, 1000}),
         field<&P::stumble>(
             Unit::rad,
-            "by which a joint of a foot in the air lags more than it does in other steps if the "
-            "foot has met something",
+            "difference from the usual lag of a leg in the air above which its foot has met an "
+            "obstacle",
             {0.02, 2}),
-        field<&P::lift>(Unit::mm, "by how much higher such a foot is lifted", {0, 40})};
+        field<&P::lift>(Unit::mm, "additional lift of a foot that has met an obstacle", {0, 40})};
   }
 };
 
-/// The parameters of each walk type, and how all of them react.
+/// The parameters of each walk type, and of the balance of all of them.
 struct WalkTypes {
   double gameSpeed = 1;
   WalkParameters normal, fast, backward, dribble, turnWithBall, crawl, pace;
@@ -176,18 +182,19 @@ struct WalkTypes {
   }
 
   static constexpr auto fields() {
-    return Fields{field<&WalkTypes::gameSpeed>(
-                      "factor on all requested speeds ahead and sideways: play in slow motion "
-                      "(report J.2.6)",
-                      {0.1, 1}),
-                  field<&WalkTypes::normal>(),
-                  field<&WalkTypes::fast>(),
-                  field<&WalkTypes::backward>(),
-                  field<&WalkTypes::dribble>(),
-                  field<&WalkTypes::turnWithBall>(),
-                  field<&WalkTypes::crawl>(),
-                  field<&WalkTypes::pace>(),
-                  field<&WalkTypes::balance>("for all types")};
+    return Fields{
+        field<&WalkTypes::gameSpeed>(
+            "factor to all requested speeds ahead and sideways, to play in slow motion (report "
+            "J.2.6)",
+            {0.1, 1}),
+        field<&WalkTypes::normal>(),
+        field<&WalkTypes::fast>(),
+        field<&WalkTypes::backward>(),
+        field<&WalkTypes::dribble>(),
+        field<&WalkTypes::turnWithBall>(),
+        field<&WalkTypes::crawl>(),
+        field<&WalkTypes::pace>(),
+        field<&WalkTypes::balance>("reaction of all walk types to pushes and obstacles")};
   }
 };
 

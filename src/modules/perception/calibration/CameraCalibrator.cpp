@@ -22,7 +22,8 @@ void CameraCalibrator::add(std::span<const Vector2d> corners, const JointAngles&
   views_.push_back({{corners.begin(), corners.end()}, joints});
 }
 
-// The board as it looks in the first image: at the distance given by its size, across the view.
+// First guess of the board's pose, from the first image: at the distance given by its size,
+// perpendicular to the view.
 CameraCalibrator::Values CameraCalibrator::guess(const CameraInfo& camera,
                                                  const RobotDimensions& robot,
                                                  const RobotCalibration& body) const {
@@ -40,7 +41,8 @@ CameraCalibrator::Values CameraCalibrator::guess(const CameraInfo& camera,
   return values;
 }
 
-/// A corner in the robot's system; its numbers go row by row from top left.
+/// The position of corner `i` relative to the robot (mm); corners are numbered row by row from top
+/// left.
 Vector3d CameraCalibrator::corner(const Values& values, std::size_t i) const {
   const int column = static_cast<int>(i) % board_.columns;
   const int row = static_cast<int>(i) / board_.columns;

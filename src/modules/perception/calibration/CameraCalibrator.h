@@ -9,7 +9,7 @@
 
 namespace gt {
 
-/// What a robot learns of its camera and its body by looking at a checkerboard. Provided by the
+/// The calibration of a robot's camera and body by images of a checkerboard, provided by the
 /// CheckerboardDetector.
 struct CameraCalibration {
   int pictures = 0;
@@ -23,41 +23,42 @@ struct CameraCalibration {
 
   static constexpr auto fields() {
     return Fields{
-        field<&CameraCalibration::pictures>("that it was made from"),
+        field<&CameraCalibration::pictures>("number of images used for the calibration"),
         field<&CameraCalibration::focalX>(Unit::pixel),
         field<&CameraCalibration::focalY>(Unit::pixel),
         field<&CameraCalibration::openingAngleX>(Unit::rad),
         field<&CameraCalibration::openingAngleY>(Unit::rad),
-        field<&CameraCalibration::body>("what belongs into robot.cfg"),
+        field<&CameraCalibration::body>("corrections of the body and the head, as in robot.cfg"),
         field<&CameraCalibration::boardPosition>(
-            Unit::mm, "the board's middle on the ground, relative to the robot"),
-        field<&CameraCalibration::boardRotation>(Unit::rad,
-                                                 "0 if it stands across the robot's x axis"),
+            Unit::mm, "position of the board's middle on the ground, relative to the robot"),
+        field<&CameraCalibration::boardRotation>(
+            Unit::rad, "rotation of the board; 0 if it is perpendicular to the robot's x axis"),
         field<&CameraCalibration::error>(
-            Unit::pixel, "root mean square of how far corners lie from where they should be seen"),
-        field<&CameraCalibration::openingAngleError>(Unit::rad,
-                                                     "standard deviation, by the corners' scatter"),
+            Unit::pixel, "root mean square of the distances between seen and expected corners"),
+        field<&CameraCalibration::openingAngleError>(
+            Unit::rad, "standard deviation of the opening angles, from the scatter of the corners"),
         field<&CameraCalibration::offsetError>(
-            Unit::rad, "standard deviation of the body's tilt and roll, by the corners' scatter")};
+            Unit::rad,
+            "standard deviation of the body's tilt and roll, from the scatter of the corners")};
   }
 };
 
-/// Calibrates camera and body from images of a checkerboard that stands before a robot, which
-/// stands still and looks around: opening angles, the corrections of robot.cfg (report B.4.5), and
-/// where the board is, such that all corners are seen where they are, as far as can be (least
-/// squares by Levenberg and Marquardt).
+/// Calibrates camera and body from images of a checkerboard that stands in front of a robot, which
+/// stands still and looks around. Estimates opening angles, the corrections in robot.cfg (report
+/// B.4.5), and the pose of the board by minimizing the squared distances between seen and expected
+/// corners (Levenberg-Marquardt).
 class CameraCalibrator {
  public:
   explicit CameraCalibrator(const Checkerboard& board) : board_{board} {}
 
-  /// An image with the board's corners, as CheckerboardFinder finds them, and the joints when it
-  /// was taken.
+  /// Adds an image: the board's corners (pixels) as found by CheckerboardFinder, and the joint
+  /// angles at the image's exposure.
   void add(std::span<const Vector2d> corners, const JointAngles& joints);
   std::size_t pictures() const { return views_.size(); }
   void clear() { views_.clear(); }
 
-  /// Begins with what is known of the camera and the body. False if the images do not tell
-  /// enough.
+  /// Calibrates, starting from the given camera and body. Returns false if the images do not
+  /// determine the result.
   bool calibrate(const CameraInfo& camera, const RobotDimensions& robot,
                  const RobotCalibration& body, CameraCalibration& result) const;
 
@@ -66,7 +67,7 @@ class CameraCalibrator {
     std::vector<Vector2d> corners;
     JointAngles joints;
   };
-  /// What is unknown.
+  /// The unknowns, in the order of the enumeration.
   static constexpr int unknowns = 7;
   using Values = Eigen::Matrix<double, unknowns, 1>;
   using Normal = Eigen::Matrix<double, unknowns, unknowns>;
@@ -75,12 +76,12 @@ class CameraCalibrator {
     const CameraInfo& camera;
     const RobotDimensions& robot;
   };
-  /// The values with the least squared error that were found.
+  /// The values with the least squared error found so far.
   struct Fit {
     Values values;
     std::vector<double> residuals;
-    double error = 0;                    ///< Sum of their squares.
-    Normal normal = Normal::Identity();  ///< Of the last step: J^T J.
+    double error = 0;                    ///< Sum of the squared residuals.
+    Normal normal = Normal::Identity();  ///< J^T J of the last step.
   };
 
   Values guess(const CameraInfo& camera, const RobotDimensions& robot,

@@ -49,8 +49,8 @@ void CheckerboardDetector::update(const Image& image, const CameraMatrix& matrix
   calibrator_.clear();
 }
 
-// While the head turns the rows see the board from different directions; and an image from where
-// the last one was taken adds nothing new.
+// While the head turns, the rows of an image see the board from different directions. An image from
+// the same direction as the last one adds no information.
 void CheckerboardDetector::take(const CameraMatrix& matrix, const JointAngles& joints) {
   constexpr double mostTurning = 0.15, leastApart = 0.01;  // rad/s, rad
   const Vector3d axis = matrix.pose.rotation.col(0);

@@ -7,9 +7,9 @@
 
 namespace gt {
 
-/// Solution *CheckerboardDetector* of ImageProcessor: finds a checkerboard and nothing else, and
-/// calibrates camera and body by it while the robot stands before it and looks around. Sends what
-/// it found under the debug key `ImageProcessor/calibration`, a CameraCalibration.
+/// Solution *CheckerboardDetector* of ImageProcessor: finds only a checkerboard, and calibrates
+/// camera and body with it while the robot stands in front of it and looks around. Sends the
+/// result, a CameraCalibration, under the debug key `ImageProcessor/calibration`.
 class CheckerboardDetector {
  public:
   struct Parameters {
@@ -17,20 +17,20 @@ class CheckerboardDetector {
     int pictures = 40;
 
     static constexpr auto fields() {
-      return Fields{
-          field<&Parameters::board>(),
-          field<&Parameters::pictures>("after which it calibrates and begins anew", {3, 1000})};
+      return Fields{field<&Parameters::board>(),
+                    field<&Parameters::pictures>(
+                        "number of images after which it calibrates and starts again", {3, 1000})};
     }
   };
   Parameters parameters;
 
-  /// Provides the percepts of an image that shows nothing. Images with an invalid camera matrix,
-  /// and those that the head took while it turned, do not count.
+  /// Provides empty percepts. Images with an invalid camera matrix, and images taken while the head
+  /// turned, are not used.
   void update(const Image& image, const CameraMatrix& matrix, const SensorDataBuffer& sensors,
               const RobotDimensions& robot, const RobotCalibration& calibration, Percepts percepts,
               Debug& debug);
 
-  /// The last calibration; its images are 0 if there was none yet.
+  /// The last calibration; its number of images is 0 if there was none yet.
   const CameraCalibration& calibration() const { return result_; }
   const std::vector<Vector2d>& corners() const { return corners_; }
 
@@ -41,7 +41,7 @@ class CheckerboardDetector {
   CheckerboardFinder finder_;
   std::vector<Vector2d> corners_;
   CameraCalibrator calibrator_{Checkerboard{}};
-  Checkerboard known_;  ///< What the calibrator was made for.
+  Checkerboard known_;  ///< The board for which `calibrator_` was created.
   Vector3d lastAxis_ = Vector3d::Zero();
   CameraCalibration result_;
 };

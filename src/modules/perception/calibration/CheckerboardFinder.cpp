@@ -57,8 +57,8 @@ bool CheckerboardFinder::find(const Image& image, const Horizon& horizon, const 
   return true;
 }
 
-// Opposite places are alike and those a quarter further differ; edges and lines differ from side to
-// side, or from the middle.
+// At a corner, opposite places of the ring are alike and differ from those a quarter turn further.
+// At edges, opposite places differ; at lines, places differ from the middle.
 void CheckerboardFinder::measure(const Image& image) {
   const int width = image.info.width, height = image.info.height;
   response_.assign(image.area(), 0);
@@ -146,7 +146,8 @@ const Vector2d* CheckerboardFinder::nearest(const Vector2d& from, const Vector2d
   return best;
 }
 
-// From the corner in the middle on, whose neighbors on the right and below lie about there.
+// Starts from the corner in the middle, with an estimate of where its neighbors on the right and
+// below are.
 bool CheckerboardFinder::grow(const Horizon& horizon) {
   Vector2d middle = Vector2d::Zero();
   for (const Vector2d& candidate : candidates_)
@@ -183,7 +184,7 @@ bool CheckerboardFinder::grow(const Horizon& horizon) {
   return true;
 }
 
-// The offset to the next corner is about that to the last one.
+// The offset to the next corner is about the same as to the last one.
 void CheckerboardFinder::step(const Place& from, int columns, int rows) {
   const Vector2d& start = candidates_[from.candidate];
   const Vector2d* next = nearest(start, columns * from.right + rows * from.down);

@@ -15,14 +15,11 @@ struct Checkerboard {
   double height = 75;
 
   static constexpr auto fields() {
-    return Fields{
-        field<&Checkerboard::columns>("corners beside each other that are inside of "
-                                      "it",
-                                      {2, 30}),
-        field<&Checkerboard::rows>("corners above each other that are inside of it", {2, 30}),
-        field<&Checkerboard::square>(Unit::mm, "a square's edge", {1, 1000}),
-        field<&Checkerboard::height>(Unit::mm, "of the lowest corners above the ground",
-                                     {0, 2000})};
+    return Fields{field<&Checkerboard::columns>("number of inner corners in a row", {2, 30}),
+                  field<&Checkerboard::rows>("number of inner corners in a column", {2, 30}),
+                  field<&Checkerboard::square>(Unit::mm, "length of a square's edge", {1, 1000}),
+                  field<&Checkerboard::height>(
+                      Unit::mm, "height of the lowest inner corners above the ground", {0, 2000})};
   }
 };
 
@@ -31,18 +28,19 @@ struct Checkerboard {
 /// ChESS: Quick and Robust Detection of Chess-board Features, 2014).
 class CheckerboardFinder {
  public:
-  /// All corners row by row, as the image shows them from top left; false if any is missing.
+  /// Finds all corners (pixels), row by row from top left in the image. Returns false if any is
+  /// missing.
   bool find(const Image& image, const Horizon& horizon, const Checkerboard& board,
             std::vector<Vector2d>& corners);
-  /// All places of the last image that look like a corner.
+  /// All points of the last image (pixels) that look like a corner.
   const std::vector<Vector2d>& candidates() const { return candidates_; }
 
  private:
-  /// A candidate's place in the board, counted from the one that was looked at first.
+  /// A candidate's column and row on the board, counted from the first candidate.
   struct Place {
     std::size_t candidate;
     int column, row;
-    Vector2d right, down;  ///< To the next corners, about.
+    Vector2d right, down;  ///< Approximate vectors to the next corners, pixels.
   };
 
   void measure(const Image& image);
@@ -52,7 +50,7 @@ class CheckerboardFinder {
   bool grow(const Horizon& horizon);
   void step(const Place& from, int columns, int rows);
 
-  std::vector<int> response_;  ///< How much each pixel looks like a corner.
+  std::vector<int> response_;  ///< For each pixel, how much it looks like a corner.
   std::vector<Vector2d> candidates_;
   std::vector<bool> used_;
   std::vector<Place> places_;

@@ -6,8 +6,8 @@
 namespace gt {
 namespace {
 
-// What is known of the colors before anything was seen: their order around gray, and how strong
-// paints of such colors are.
+// Prior knowledge of the colors: their order around gray, and how strong paints of these colors
+// are.
 struct KnownTone {
   ColorClass color;
   double hue, strength;  // Degrees; chroma over brightness.
@@ -54,7 +54,7 @@ Tone ColorAdaptation::toneOf(double y, double cb, double cr) const {
   return {std::atan2(v, u), std::log(std::max(std::hypot(u, v), 0.5) / std::max(y, darkest))};
 }
 
-// In units of the spread; noise turns weak colors more.
+// The distance is in units of the spread. Noise changes the hue of weak colors more.
 double ColorAdaptation::distance(ColorClass color, const Tone& tone, double chroma) const {
   const Tone& own = tones_[color];
   const double blurred = squared(noise / chroma);
@@ -62,7 +62,7 @@ double ColorAdaptation::distance(ColorClass color, const Tone& tone, double chro
          squared(tone.strength - own.strength) / (squared(strengthSpread) + blurred);
 }
 
-// All brightnesses of one cb and cr: the hue is the same for all.
+// Updates all brightnesses of one cb and cr, which have the same hue.
 void ColorAdaptation::refreshColumn(int cbStep, int crStep) {
   constexpr double whiteShare = 0.56, grayShare = 0.2;
   const auto middle = [](int step) { return 4 * step + 1.5; };
@@ -130,7 +130,7 @@ void ColorAdaptation::addGround(const Pixel& pixel, GreenSample& green) {
   }
 }
 
-// The hue that takes the largest share of the ground, if it lies on green's side of gray.
+// Green is the hue with the largest share of the ground, if it lies on green's side of gray.
 void ColorAdaptation::findGreen() {
   constexpr double enough = 2000, share = 0.3, greensSide = fromDegrees(50), memory = 0.98;
   const double expected = fromDegrees(knownTone(ColorClass::green).hue);
@@ -161,7 +161,7 @@ void ColorAdaptation::findGreen() {
   for (HueBin& bin : hues_) bin = {bin.count * memory, bin.strength * memory};
 }
 
-// Light is felt at once, the tone of the carpet changes slowly.
+// Brightness follows the light at once, the tone of the carpet changes slowly.
 void ColorAdaptation::followGreen(const GreenSample& green) {
   constexpr double lightRate = 0.25, toneRate = 0.05, leastShare = 0.05;
   if (green.ground >= 4 * minGreen)
@@ -192,7 +192,7 @@ void ColorAdaptation::addBright(const Pixel& pixel) {
   grayCr_ += grayRate * (pixel.cr - grayCr_);
 }
 
-// Lines, walls and feet of flags are brighter than most else that has no color.
+// Lines, walls and feet of flags are brighter than most other objects without color.
 void ColorAdaptation::findWhite() {
   constexpr double share = 0.8, memory = 0.99;
   double sum = 0, below = 0;

@@ -8,45 +8,45 @@
 
 namespace gt {
 
-/// A color whatever the light: in which direction it lies from gray, and how far for its
-/// brightness. Light and shade move a color along the line from black to it, which changes neither.
+/// A color independent of the light: its direction from gray, and its distance from gray relative
+/// to its brightness. Light and shade move a color along the line from black, which changes
+/// neither.
 struct Tone {
   double hue = 0;       ///< rad, the angle of (cb, cr) around gray.
-  double strength = 0;  ///< The logarithm of its distance from gray over its brightness.
+  double strength = 0;  ///< Logarithm of the distance from gray divided by the brightness.
 };
 
-/// A color table that makes itself while a robot plays (report 6.2.1; Jüngel, Hoffmann, Lötzsch: A
-/// Real-Time Auto-Adjusting Vision System for Robotic Soccer, 2003). It is given no color, but
-/// heuristics about the environment do: most of what is seen below the horizon is green. Green's
-/// brightness tells the light, what is brighter than it and has no color is white and tells gray;
-/// the other colors lie around gray in a known order, and move to where recognized objects have
-/// them.
+/// A color table that is learned while a robot plays (report 6.2.1; Jüngel, Hoffmann, Lötzsch: A
+/// Real-Time Auto-Adjusting Vision System for Robotic Soccer, 2003). No color is given; heuristics
+/// about the environment replace them. Most pixels below the horizon are green. The brightness of
+/// green measures the light. Pixels that are brighter and have no color are white and define gray.
+/// The other colors lie around gray in a known order and are adapted to recognized objects.
 class ColorAdaptation {
  public:
   ColorAdaptation();
 
-  /// Looks for green and white in an image: a few hundred pixels of it.
+  /// Searches a few hundred pixels of an image for green and white.
   void observe(const Image& image, const Horizon& horizon);
-  /// A pixel of something that was recognized and must have this color; one that is too far away
-  /// from it is none of it.
+  /// Learns from a pixel of a recognized object that must have this color. Pixels too far from the
+  /// color are ignored.
   void learn(ColorClass color, const Pixel& pixel);
-  /// Brings a part of the table up to date; all of it within eight calls.
+  /// Updates a part of the table; eight calls update all of it.
   void refresh();
 
-  /// All noColor until green is known.
+  /// The color table; all entries are noColor until green is known.
   const ColorTable64& table() const { return table_; }
   bool isGreenKnown() const { return greenKnown_; }
-  /// The mean brightness (y) of green, and that of white.
+  /// The mean brightness (y) of green and of white.
   double greenY() const { return greenY_; }
   double whiteY() const { return greenY_ * whiteRatio_; }
   const Tone& tone(ColorClass color) const { return tones_[color]; }
 
  private:
-  /// What was seen below the horizon of each hue, before green is known.
+  /// Pixels of one hue below the horizon, collected until green is known.
   struct HueBin {
     double count = 0, strength = 0;
   };
-  /// What an image showed of green.
+  /// Statistics of the green pixels of an image.
   struct GreenSample {
     int ground = 0, count = 0;
     double y = 0, hue = 0, strength = 0;
@@ -65,16 +65,16 @@ class ColorAdaptation {
   void noteChanges();
 
   ColorTable64 table_;
-  EnumArray<ColorClass, Tone> tones_;  ///< Of the colors proper.
+  EnumArray<ColorClass, Tone> tones_;  ///< Of all classes that are colors.
   double grayCb_ = 128, grayCr_ = 128;
   bool greenKnown_ = false;
   double greenY_ = 0, whiteRatio_ = 0;
-  int withoutGreen_ = 0;  ///< Images of ground in a row that showed none.
+  int withoutGreen_ = 0;  ///< Number of consecutive images of ground without green.
   double groundCount_ = 0;
   std::array<HueBin, hueBins> hues_{};
-  std::array<double, ratioBins> ratios_{};  ///< How often a brightness over green's was seen.
+  std::array<double, ratioBins> ratios_{};  ///< Histogram of brightness relative to green's.
 
-  // What the table was made for, and what is left to be made anew.
+  // The values for which the table was computed, and the part that must be recomputed.
   EnumArray<ColorClass, Tone> builtTones_;
   double builtWhite_ = 0, builtCb_ = 0, builtCr_ = 0;
   int nextPlane_ = 0, planesLeft_ = 0;

@@ -24,19 +24,19 @@ constexpr double middlePart = 0.35;  // Of the squared distance to the corners: 
 constexpr std::size_t channels = 4;  // Bytes of a pixel.
 constexpr int chromaOfGray = 128, fraction = 64, gainOne = 4096;
 
-/// How far out a row or column is: its part of the square of the distance from the middle, which
-/// is 1 in the corners. `size` is a pixel's, where the image reaches from -1 to 1.
+/// The part of a row or column of the squared distance from the middle, which is 1 in the corners.
+/// `size` is the size of a pixel if the image ranges from -1 to 1.
 double outward(int i, double size) {
   const double place = (i + 0.5) * size - 1;
   return place * place / 2;
 }
 
-/// Whether a color can be a carpet's: the less red it is, the more it may be blue.
+/// Returns whether a color can be a carpet's. The less red it is, the more blue it may be.
 bool isGreenish(double y, const Vector2d& chroma) {
   return -chroma.y() > std::max(8., 0.2 * y) && chroma.x() < 0.15 * -chroma.y();
 }
 
-/// Corrects a row, in the integers that processors have instructions for, many at once.
+/// Corrects a row with 16-bit integers, for which processors have vector instructions.
 struct CorrectRow {
   const std::int16_t *column, *corner, *gain, *gray;  ///< For each byte.
   std::int16_t out;                                   ///< How far out the row is.
@@ -66,7 +66,7 @@ const Image& ImageCorrection::correct(const Image& image, const Horizon& horizon
   return corrected_;
 }
 
-// At once, so that no later image has to wait for memory.
+// Allocates everything with the first image, so that no later image waits for memory.
 void ImageCorrection::allocate(const CameraInfo& info) {
   corrected_.info = info;
   corrected_.allocate();
@@ -118,8 +118,9 @@ void ImageCorrection::solve() {
   cast_ = cast_.cwiseMax(-mostCast).cwiseMin(mostCast);
 }
 
-// The brightnesses at which the table calls the carpet's tone green have those of the images that
-// it was made from in their middle. A table to which the brightness does not matter needs no gain.
+// The middle of the brightnesses at which the table classifies the carpet's tone as green is the
+// carpet's brightness in the images for which the table was made. A table that does not depend on
+// the brightness needs no gain.
 double ImageCorrection::gainFor(const ColorTable64& colors) const {
   constexpr int leastWidth = 16;  // Of the brightnesses.
   constexpr double widest = 6;    // The brightest over the darkest.

@@ -8,20 +8,20 @@
 
 namespace gt {
 
-/// Makes an image what it would be in the light for which a color table was made, without the
-/// color cast of the camera's corners: so that one table is right anywhere in the image, in any
-/// light. Both are learned from the carpet, image by image. Light moves all colors along the lines
-/// from black to them; the cast grows with the square of the distance from the image's middle
-/// and does not depend on the light (measured in images of an ERS-7).
+/// Corrects the light and the color cast of an image, so that one color table is right anywhere in
+/// the image, in any light. The corrected image has the light for which the color table was made
+/// and no color cast in the corners. Both are learned from the carpet, image by image. Light moves
+/// all colors along the lines from black; the cast grows with the square of the distance from the
+/// image's middle and does not depend on the light (measured in images of an ERS-7).
 class ImageCorrection {
  public:
-  /// The image as it is where there is nothing to correct; else a copy that the next call
-  /// overwrites.
+  /// Returns the image itself if no correction is needed; otherwise a corrected copy that the next
+  /// call overwrites.
   const Image& correct(const Image& image, const Horizon& horizon, const ColorTable64& colors);
 
-  /// By how much the last image became brighter.
+  /// The factor by which the last image was made brighter.
   double gain() const { return gain_; }
-  /// The cast of cb and cr in the image's corners.
+  /// The color cast (cb, cr) in the image's corners.
   const Vector2d& cast() const { return cast_; }
 
  private:
@@ -33,11 +33,11 @@ class ImageCorrection {
 
   double gain_ = 1;
   Vector2d cast_ = Vector2d::Zero();
-  /// The carpet: its brightness in the image's middle, and its chroma over its brightness.
+  /// The carpet's brightness in the image's middle, and its chroma divided by its brightness.
   double greenY_ = 0;
   Vector2d tone_ = Vector2d::Zero();
-  /// Sums over pixels of the carpet, the older the less: of brightness y, distance from the middle
-  /// d (squared, 1 in the corners), and chroma.
+  /// Sums over pixels of the carpet, in which older ones have less weight: of brightness y, squared
+  /// distance d from the middle (1 in the corners), and chroma.
   double yy_ = 0, yd_ = 0, dd_ = 0;
   Vector2d yChroma_ = Vector2d::Zero(), dChroma_ = Vector2d::Zero();
   Image corrected_;

@@ -10,8 +10,9 @@
 namespace gt {
 namespace {
 
-// The distance sensor from the center of pan rotation: forward, and up where the neck is upright
-// (facts, 1.1: 61.4 above the tilt axis, from which the pan center is 48 away).
+// The position of the distance sensor relative to the center of pan rotation: forward, and up while
+// the neck is upright (mm) (facts, 1.1: 61.4 above the tilt axis, from which the pan center is 48
+// away).
 constexpr double psdForward = 26.5, psdUp = 13.4;
 constexpr double psdRange = 900;
 
@@ -21,8 +22,8 @@ Pose3D cameraPoseOn(const RobotDimensions& robot, const BodyPosture& posture,
                     {joints[Joint::headTilt], joints[Joint::headPan], joints[Joint::headRoll]});
 }
 
-/// The mean acceleration of all frames if the legs hold still in them and nothing but gravity is
-/// felt.
+/// The mean acceleration of all frames (mm/s^2) if the legs hold still in them and only gravity
+/// acts; otherwise nothing.
 std::optional<Vector3d> gravityAtRest(const SensorDataBuffer& sensors) {
   constexpr double still = fromDegrees(15) / 1000;  // rad/ms; of a joint
   constexpr double gravity = 9810, allowed = 1000;  // mm/s^2; with the sensors' zero
@@ -43,7 +44,7 @@ Vector3d rotationVector(const Matrix3d& rotation) {
   return turn.axis() * turn.angle();
 }
 
-/// Where the camera looks, to the left of straight ahead (rad).
+/// The direction of the camera's optical axis relative to the robot (rad, positive: left).
 double azimuthOf(const CameraMatrix& matrix) {
   return angleOf(matrix.pose.rotation.col(0).head<2>());
 }
@@ -55,14 +56,15 @@ bool isDuring(const SensorData& frame, Time end, double duration) {
   return age >= -halfTick && age <= duration + halfTick;
 }
 
-/// From the exposure of the first row until that of the last one (ms).
+/// The time from the exposure of an image's first row to that of its last row (ms).
 double exposureOf(const Image& image) {
   return (image.info.height - 1) * image.info.rowTime;
 }
 
-/// The camera's pose when an image's middle row was exposed, and how it turned meanwhile; `delay`
-/// is how much older than its time stamp the image is (ms), `speed` that of the robot (mm/s,
-/// rad/s), whose system is that of the time stamp. `poseFor` gives the camera's pose for joints.
+/// The camera's pose when an image's middle row was exposed, and how it turned during the exposure.
+/// `delay` is by how much the image is older than its time stamp (ms). `speed` is that of the robot
+/// (mm/s, rad/s). The robot's system is that at the time stamp. `poseFor` returns the camera's pose
+/// for joint angles.
 template <typename PoseFor>
 CameraMatrix cameraMatrix(const JointMotion& joints, const Image& image, double delay,
                           const Pose2D& speed, PoseFor poseFor) {
@@ -218,9 +220,9 @@ void DefaultSensorDataProcessor::update(const FrameInfo& frame, const SensorData
   psd.offset = camera * Vector3d{psdForward - robot.panToCamera + newest.psd, 0, psdUp};
 }
 
-// Fallen: the body leans for long, and still does. Lifted: gravity's direction or strength is no
-// longer what it has been for long, or the feet hang in the air (report 3.1). A robot that performs
-// a special action may lie with its paws off the ground.
+// Fallen: the body has leaned for a long time and still leans. Lifted: direction or strength of the
+// acceleration differ from its long average, or the feet hang in the air (report 3.1). A robot that
+// performs a special action may lie with its paws off the ground.
 BodyState DefaultSensorDataProcessor::stateOf(const Vector3d& shortAverage,
                                               const SensorData& newest, bool onPaws) {
   const auto leans = [&](const Vector3d& acceleration) {

@@ -14,8 +14,9 @@
 
 namespace gt {
 
-/// Makes the camera matrix of an image, the body percept and the PSD percept from the sensor
-/// frames around them (report 3.1), the solution Default of the SensorDataProcessor.
+/// Solution *Default* of SensorDataProcessor: computes the camera matrix of an image, the body
+/// percept and the percept of the distance sensor (PSD) from the sensor frames around the image
+/// (report 3.1).
 class DefaultSensorDataProcessor {
  public:
   struct Parameters {
@@ -30,32 +31,37 @@ class DefaultSensorDataProcessor {
 
     static constexpr auto fields() {
       return Fields{
-          field<&Parameters::shortAverage>(Unit::ticks, "over which acceleration is averaged",
+          field<&Parameters::shortAverage>(Unit::ticks,
+                                           "duration over which acceleration is averaged",
                                            {1, SensorDataBuffer::capacity}),
           field<&Parameters::longAverage>(
               Unit::ms, "time constant of the long average of acceleration", {100, 10000}),
-          field<&Parameters::fallenAngle>(Unit::rad, "a body that leans more has fallen", {0, pi}),
+          field<&Parameters::fallenAngle>(Unit::rad, "least inclination of a body that has fallen",
+                                          {0, pi}),
           field<&Parameters::liftedChange>(
-              Unit::mmPerS2, "short and long average differ by more where the robot is lifted",
+              Unit::mmPerS2,
+              "least difference of the short and the long average of acceleration of a lifted "
+              "robot",
               {0, 20000}),
           field<&Parameters::offGround>(
-              Unit::ms, "all paws are longer off the ground where the robot is lifted", {0, 10000}),
+              Unit::ms, "least time without a paw on the ground after which a robot is lifted",
+              {0, 10000}),
           field<&Parameters::delayMemory>(
               Unit::ms,
-              "time constant with which it is learned how much older images are than their time "
-              "stamps",
+              "time constant of learning by how much images are older than their time stamps",
               {1000, 1e7}),
-          field<&Parameters::posture>("how bodies lean on legs that give"),
-          field<&Parameters::lean>("how it is learned in play how this robot leans")};
+          field<&Parameters::posture>("how bodies lean and sink on legs that give way"),
+          field<&Parameters::lean>("how the inclination of this robot is learned in play")};
     }
   };
   Parameters parameters;
 
-  /// Provides the camera matrix of the image, the body's state and the distance sensor's place. The
-  /// body's posture follows from the legs and how they give, and from what was seen in images
-  /// before. The matrix is invalid while the robot kicks, gets up or falls, but not while it holds
-  /// still in a special action; without sensor readings it is that of the last ones. The flags of
-  /// the last image tell how old images are.
+  /// Provides the camera matrix of the image, the body's state and the point that the distance
+  /// sensor measures. The body's posture is computed from the joint angles of the legs, from a
+  /// model of how the legs give way, and from what was seen in earlier images. The matrix is
+  /// invalid while the robot kicks, gets up or falls, but valid while it holds still in a special
+  /// action. Without new sensor readings the last ones are used. The delay of images is learned
+  /// from the flags in the last image.
   void update(const FrameInfo& frame, const SensorDataBuffer& sensors, const Image& image,
               const RobotDimensions& robot, const RobotCalibration& calibration,
               const FieldDimensions& field, const MotionInfo& motion, const OdometryData& odometry,
@@ -67,33 +73,34 @@ class DefaultSensorDataProcessor {
   BodyState stateOf(const Vector3d& shortAverage, const SensorData& newest, bool onPaws);
 
   LeanFilter lean_;
-  BodyPosture giving_;            ///< That of the model, with the last matrix.
-  bool stood_ = false;            ///< With that matrix, on its legs.
-  RobotCalibration calibration_;  ///< With which it learns.
+  BodyPosture giving_;            ///< The posture model's correction for the last matrix.
+  bool stood_ = false;            ///< Whether the robot stood on its legs at the last matrix.
+  RobotCalibration calibration_;  ///< The calibration for which `lean_` learns.
   std::vector<SeenHeight> heights_;
   ImageDelay delay_;
   CameraMatrix lastMatrix_;
   LandmarksPercept lastLandmarks_;
   BallPercept lastBall_;
-  Pose2D odometry_;  ///< With the last matrix.
+  Pose2D odometry_;  ///< At the last matrix.
   Vector3d longAverage_ = Vector3d::Zero();
   Time lastUpdate_ = never();
   Time lastOnGround_ = never();
 };
 
-/// How the joints moved around a moment: a line through what was measured, which takes from each
-/// measurement's noise.
+/// The motion of the joints around a moment: a straight line fitted to the measurements, which
+/// reduces their noise. In rad and rad/ms.
 struct JointMotion {
   JointAngles angles, perMillisecond;
 
   JointAngles at(double milliseconds) const;
 };
 
-/// The joints' motion from `duration` milliseconds before a point in time until then, around the
-/// moment halfway; the newest frame that is not younger if none lies in between.
+/// The joints' motion in the interval of `duration` (ms) that ends at `end`, relative to the middle
+/// of the interval. If no sensor frame lies in the interval, the joint angles of the newest frame
+/// before its end.
 JointMotion jointMotion(const SensorDataBuffer& sensors, Time end, double duration);
 
-/// The mean acceleration of the last ticks (report 3.1); of all there are if they are fewer.
+/// The mean acceleration (mm/s^2) of the last ticks (report 3.1), at most of those in the buffer.
 Vector3d averageAcceleration(const SensorDataBuffer& sensors, int ticks);
 
 }  // namespace gt

@@ -21,9 +21,9 @@ Color colorOf(TeamColor team) {
 
 }  // namespace
 
-// Objects that are small in the image are far away and so close to the horizon. Lines of one
-// spacing have to reach as far as the largest object that only they would meet twice, which the
-// next coarser lines, twice as far apart, do not.
+// Objects that are small in the image are far away and therefore close to the horizon. Lines of one
+// spacing must reach as far from the horizon as the largest object that they meet twice, but that
+// the next coarser lines, twice as far apart, do not meet twice.
 GridSpacing GT2003ImageProcessor::spacing(const CameraMatrix& matrix,
                                           const FieldDimensions& field) const {
   const double height = std::max(matrix.pose.translation.z(), field.ballRadius);
@@ -139,7 +139,7 @@ void GT2003ImageProcessor::drawSpecialists(bool hasPlaces, Debug& debug) const {
   for (const Vector2d& foot : playerSpecialist_.feet()) canvas.point(foot, colors::pink, 0.7);
 }
 
-// What was found as it lies on the ground around the robot (report, figure 3.1b).
+// Draws the percepts on the ground, relative to the robot (report, figure 3.1b).
 void GT2003ImageProcessor::drawGround(const Percepts& found, Debug& debug) const {
   auto canvas = debug.onRobot(drawOnGround);
   if (!canvas) return;

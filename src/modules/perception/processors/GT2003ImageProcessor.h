@@ -32,16 +32,16 @@ class GT2003ImageProcessor {
   };
   Parameters parameters;
 
-  /// Provides all percepts of an image. They are places around the robot, so without a valid camera
-  /// matrix there is only the ball, whose size tells its distance. An image without pixels shows
-  /// nothing.
+  /// Provides all percepts of an image, relative to the robot. Without a valid camera matrix only
+  /// the ball is provided, because its size gives its distance. An image without pixels yields no
+  /// percepts.
   void update(const Image& image, const CameraMatrix& matrix, const ColorTable64& colors,
               const FieldDimensions& field, Percepts found, Debug& debug) {
     lookForAll(correction_.correct(image, horizonOf(matrix), colors), matrix, colors, field, found,
                debug);
   }
 
-  /// The same on an image whose colors are corrected.
+  /// Like update, on an image whose colors are corrected already.
   void lookForAll(const Image& image, const CameraMatrix& matrix, const ColorTable64& colors,
                   const FieldDimensions& field, const Percepts& found, Debug& debug) {
     const auto findBall = [&](const CameraImage& picture, std::span<const BallSegment> segments) {
@@ -53,7 +53,7 @@ class GT2003ImageProcessor {
   /// Passed as std::cref, so that nothing is allocated.
   using FindBall = std::function<void(const CameraImage&, std::span<const BallSegment>)>;
 
-  /// The same with another ball's specialist.
+  /// Like lookForAll, with another function that finds the ball.
   void look(const Image& image, const CameraMatrix& matrix, const ColorTable64& colors,
             const FieldDimensions& field, const Percepts& found, Debug& debug,
             const FindBall& findBall);
@@ -77,7 +77,8 @@ class GT2003ImageProcessor {
   EdgeScanner edgeScanner_;
   PlayerSpecialist playerSpecialist_;
   TiltCorrection tiltCorrection_;
-  std::vector<ScanPath> paths_;  ///< Of the specialists, if somebody wants to see them.
+  /// Paths that the specialists followed, if a drawing of them is requested.
+  std::vector<ScanPath> paths_;
 };
 
 }  // namespace gt

@@ -11,7 +11,8 @@ const DebugKey drawLearned{"ImageProcessor/adaptation/learned"};
 const DebugKey plotGreen{"ImageProcessor/adaptation/greenY"};
 const DebugKey plotWhite{"ImageProcessor/adaptation/whiteY"};
 
-/// A place within a boundary: 0 is left and top, 1 right and bottom.
+/// The point in the image (pixels) at a relative position within a boundary: 0 is left and top, 1
+/// right and bottom.
 Vector2d within(const CameraImage& picture, const ConditionalBoundary& b, double x, double y) {
   const double azimuth = b.left + x * (b.right - b.left);
   const double elevation = b.top + y * (b.bottom - b.top);
@@ -81,7 +82,8 @@ void GridImageProcessor2::learn(const CameraImage& picture, const LandmarksPerce
   }
 }
 
-// Where a tricot is within a robot only its color tells: whatever looks like it around there.
+// The place of a tricot on a robot is known by its color only: all pixels around there that look
+// like it are learned.
 void GridImageProcessor2::learn(const CameraImage& picture, const PlayersPercept& players) {
   constexpr double height = 100;  // mm
   for (const TeamColor team : {TeamColor::red, TeamColor::blue}) {

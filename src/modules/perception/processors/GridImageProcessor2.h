@@ -4,12 +4,13 @@
 
 namespace gt {
 
-/// Solution *GridImageProcessor2* of ImageProcessor: finds what GT2003 finds without a color table
-/// made by hand. It adapts to the colors of the environment while the robot plays (report 6.2.1).
+/// Solution *GridImageProcessor2* of ImageProcessor: finds the same objects as GT2003, but without
+/// a color table made by hand. It adapts to the colors of the environment while the robot plays
+/// (report 6.2.1).
 class GridImageProcessor2 {
  public:
-  /// Provides what GT2003 provides, with the same limits; nothing until it knows the carpet's
-  /// green.
+  /// Provides the same percepts as GT2003, under the same conditions; no percepts until the green
+  /// of the carpet is learned.
   void update(const Image& image, const CameraMatrix& matrix, const FieldDimensions& field,
               Percepts found, Debug& debug);
 
@@ -25,7 +26,8 @@ class GridImageProcessor2 {
   ImageCorrection correction_;
   ColorAdaptation colors_;
   GT2003ImageProcessor vision_;
-  std::vector<std::pair<Vector2d, ColorClass>> learned_;  ///< Of the image, if somebody watches.
+  /// Pixels of the image that were learned from, if a drawing is requested.
+  std::vector<std::pair<Vector2d, ColorClass>> learned_;
   bool watched_ = false;
 };
 

@@ -9,7 +9,7 @@ namespace gt {
 /// orange one (report 4.1), all else as GT2003 does.
 class GridImageProcessor3 {
  public:
-  /// Provides what GT2003 provides, with the same limits.
+  /// Provides the same percepts as GT2003, under the same conditions.
   void update(const Image& image, const CameraMatrix& matrix, const ColorTable64& colors,
               const FieldDimensions& field, Percepts found, Random& random, Debug& debug);
 

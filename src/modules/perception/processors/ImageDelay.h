@@ -7,26 +7,29 @@
 
 namespace gt {
 
-/// Learns in play by how much images are older than their time stamps: by as much as the angles of
-/// flags are off by what the camera turns in that time. Flags stand still, so what their angles
-/// change by from one image to the next, beyond what the robot turned, is proportional to how much
-/// faster the camera turns. How high a flag is seen follows from its distance: it is off by what
-/// the camera nods in that time. The pose of the robot on the field need not be known.
+/// Learns in play by how much images are older than their time stamps (the delay). The delay shifts
+/// the angle of a flag by the angle that the camera turns in that time. Flags stand still, so the
+/// change of their angles from one image to the next, minus the rotation of the robot, is
+/// proportional to the change of the camera's rotational speed. The elevation of a flag follows
+/// from its distance; the delay shifts it by the angle that the camera tilts in that time. The pose
+/// of the robot on the field need not be known.
 class ImageDelay {
  public:
-  /// Learns from what was found in an image, with the camera matrix for which that was taken off
-  /// which is known so far. `memory` is the time after which an image counts a third (ms).
+  /// Learns from the flags found in an image, with its camera matrix, which was computed with the
+  /// delay known so far. `memory` is the time constant of forgetting (ms). Does nothing if the
+  /// matrix is invalid or belongs to another image.
   void learn(const LandmarksPercept& landmarks, const CameraMatrix& matrix, const Pose2D& odometry,
              const FieldDimensions& field, double memory);
 
+  /// The delay (ms).
   double milliseconds() const { return 1000 * seconds_; }
 
  private:
   /// A flag in an image.
   struct Sighting {
     Time time = never();
-    double angle = 0;  ///< As the image's time stamp has it.
-    double distance = 0, turning = 0;
+    double angle = 0;                  ///< rad, relative to the robot at the image's time stamp.
+    double distance = 0, turning = 0;  ///< mm, from the robot; rad/s, of the camera.
     Pose2D odometry;
   };
   void learn(const Sighting& before, const Sighting& now);
@@ -36,7 +39,8 @@ class ImageDelay {
   EnumArray<FlagType, Sighting> last_;
   Time lastImage_ = never();
   double seconds_ = 0;
-  double products_ = 0, squares_ = 0;  ///< Of changes of angle and turning, the older the less.
+  /// Of the changes of angle and of rotational speed; older ones have less weight.
+  double products_ = 0, squares_ = 0;
 };
 
 }  // namespace gt

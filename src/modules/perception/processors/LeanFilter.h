@@ -9,10 +9,11 @@
 
 namespace gt {
 
-/// Learns in play by how much a camera leans otherwise than the joints measure, from how high
-/// things are seen. A Kalman filter of what stays as the robot was built (the body's lean and
-/// height, with the neck's, and the head's roll), of how much the legs give, as a share of what a
-/// model says (PostureModel), and of swaying, which lasts for a part of a step.
+/// Learns in play by how much the camera's inclination differs from the joint measurements, from
+/// the elevation at which objects are seen. A Kalman filter estimates the constant errors of this
+/// robot (inclination and height of body and neck, roll of the head), by how much the legs give
+/// way, as a share of a model's prediction (PostureModel), and the swaying of the body, which lasts
+/// for a part of a step.
 class LeanFilter {
  public:
   struct Parameters {
@@ -29,17 +30,21 @@ class LeanFilter {
 
     static constexpr auto fields() {
       return Fields{
-          field<&Parameters::learns>("while the robot plays"),
+          field<&Parameters::learns>("whether the filter learns while the robot plays"),
           field<&Parameters::lean>(
               Unit::rad,
-              "standard deviation, from robot to robot, of tilt and roll of the body beside what "
-              "its legs measure",
+              "standard deviation, from robot to robot, of the body's tilt and roll relative to "
+              "the joint measurements",
               {0, 1}),
-          field<&Parameters::headRoll>(Unit::rad, "of the head's roll", {0, 1}),
-          field<&Parameters::height>(Unit::mm, "of the body's height", {0, 100}),
-          field<&Parameters::giving>("of how much the legs give, as a share of the model", {0, 10}),
-          field<&Parameters::drift>(Unit::rad, "of what these angles change by in a second",
-                                    {0, 1}),
+          field<&Parameters::headRoll>(
+              Unit::rad, "standard deviation, from robot to robot, of the head's roll", {0, 1}),
+          field<&Parameters::height>(
+              Unit::mm, "standard deviation, from robot to robot, of the body's height", {0, 100}),
+          field<&Parameters::giving>(
+              "standard deviation of how much the legs give way, as a share of the model", {0, 10}),
+          field<&Parameters::drift>(
+              Unit::rad, "standard deviation of the change of constant tilt and roll in a second",
+              {0, 1}),
           field<&Parameters::swayWalking>(
               Unit::rad,
               "standard deviation of a walking body's tilt and roll, until more is known", {0, 1}),
@@ -53,39 +58,43 @@ class LeanFilter {
   };
   Parameters parameters;
 
-  /// Goes on to the next image, some time later (ms).
+  /// Predicts the state for the next image, `elapsed` (ms) after the last one.
   void predict(double elapsed, bool walks);
-  /// Learns from what was seen with the camera matrix that was last made, which had this azimuth
-  /// (rad) and for which the model said `giving`.
+  /// Learns from the elevations of objects seen with the last camera matrix. The camera had the
+  /// azimuth `cameraAzimuth` (rad, relative to the robot), and `giving` was the correction of the
+  /// PostureModel.
   void learn(std::span<const SeenHeight> heights, double cameraAzimuth, const BodyPosture& giving);
 
-  /// What to add to the body's posture, as it sways now, where the model says `giving`, and to the
-  /// head's roll (rad).
+  /// The correction of the body's posture, including its current swaying, if the PostureModel
+  /// predicts `giving`.
   BodyPosture posture(const BodyPosture& giving) const;
+  /// The correction of the head's roll (rad).
   double headRoll() const { return state_.value[ofHead]; }
-  /// How much the legs give, as a share of the model.
+  /// By how much the legs give way, as a share of the model.
   double legsGive() const { return 1 + state_.value[share]; }
-  /// That of the camera matrix (CameraMatrix.h).
+  /// The covariance of the camera matrix (CameraMatrix.h).
   Matrix3d covariance(double cameraAzimuth, const BodyPosture& giving) const;
-  /// What of that stays, and its standard deviations.
+  /// The constant part of the correction of the body's posture.
   BodyPosture built() const;
+  /// The standard deviations of the constant part.
   BodyPosture deviation() const;
   double headRollDeviation() const { return std::sqrt(state_.covariance(ofHead, ofHead)); }
 
  private:
-  /// Rotations about the robot's x and y axis, and about the camera's; mm; a share beside 1; then
-  /// the rotations of swaying.
+  /// Rotations about the robot's x and y axis and about the camera's optical axis (rad); height
+  /// (mm); share of the model minus 1; rotations by swaying (rad).
   enum { leanX, leanY, ofHead, height, share, swayX, swayY, size };
   using State = RobustEstimate<size>;
   using Shares = Eigen::Matrix<double, 3, size>;
-  /// What the state does to a camera matrix.
+  /// The derivative of the camera matrix's rotations (rad) and height (mm) with respect to the
+  /// state.
   static Shares shares(double cameraAzimuth, const BodyPosture& giving);
 
-  /// Makes measurements as surprising as they should be.
+  /// Adapts the variance of swaying until the innovations have the size that it predicts.
   void adaptSwaying(double surprise);
 
   State state_;
-  double walkingVariance_ = 0;  ///< rad^2: of the swaying while it walks.
+  double walkingVariance_ = 0;  ///< Variance of the swaying while the robot walks, rad^2.
   bool begun_ = false, walks_ = false;
 };
 

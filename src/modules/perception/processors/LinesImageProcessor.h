@@ -9,8 +9,8 @@
 
 namespace gt {
 
-/// Solution *Lines* of ImageProcessor: finds points on edges of lines, field border and goals and
-/// nothing else (report 3.2.2), which is all that the self-locator Lines needs.
+/// Solution *Lines* of ImageProcessor: finds only points on edges of field lines, field border and
+/// goals (report 3.2.2), the input of the self-locator Lines.
 class LinesImageProcessor {
  public:
   /// Provides the points on edges; all other percepts are those of an image that shows nothing.

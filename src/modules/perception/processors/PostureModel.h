@@ -8,17 +8,17 @@
 
 namespace gt {
 
-/// How a body leans and sinks whose legs give, beside where stiff legs would hold it. Linear in how
-/// high the feet are lifted, and in what acceleration sensors feel, at a moment and before it.
-/// `experiment calibrate-posture` fits it to the truth by least squares; without weights a body
-/// stands as on stiff legs (report 3.1).
+/// Models how the body leans and sinks because the legs give way, relative to its posture on stiff
+/// legs. The model is linear in the heights of the feet and in the measured accelerations, at a
+/// moment and shortly before it. `experiment calibrate-posture` fits it to the truth by least
+/// squares. With weights 0 the body stands as on stiff legs (report 3.1).
 class PostureModel {
  public:
-  static constexpr int moments = 6, apart = 2;  ///< Ticks from one to the next.
+  static constexpr int moments = 6, apart = 2;  ///< `apart`: ticks from one to the next.
   static constexpr int legCount = 4, axes = 3;
   static constexpr int count = 1 + moments * (legCount + axes);
-  /// A constant, and of each moment, the latest first, the heights of the feet above the lowest
-  /// that stiff legs allow (cm, in the order of Leg) and the acceleration (multiples of gravity).
+  /// A constant 1; then for each moment, the latest first, the heights of the feet above the ground
+  /// as on stiff legs (cm, in the order of Leg) and the acceleration (multiples of gravity).
   using Features = Eigen::Matrix<double, count, 1>;
   using Weights = std::array<double, count>;
 
@@ -35,11 +35,11 @@ class PostureModel {
   };
   Parameters parameters;
 
-  /// Those of the frame nearest to a moment. Where the buffer does not reach back far enough, its
-  /// oldest frame stands for older ones.
+  /// The features at the sensor frame nearest to a moment. If the buffer does not reach back far
+  /// enough, its oldest frame replaces older ones.
   static Features featuresAt(const RobotDimensions& robot, const SensorDataBuffer& sensors,
                              Time moment);
-  /// What to add to the posture by legs.
+  /// The correction of the posture that is computed from stiff legs.
   BodyPosture correction(const Features& features) const;
 };
 

@@ -23,10 +23,11 @@ class ColorSet {
   std::uint32_t bits_ = 0;
 };
 
-/// Where a color ends on a path through the image.
+/// The point where a color ends on a path through the image.
 struct ColorEdge {
-  Vector2d point = Vector2d::Zero();  ///< To a fraction of a pixel; pixels are squares of size 1.
-  bool onBorder = false;              ///< The color reaches to the image's border.
+  /// In pixels, with subpixel accuracy; pixels are squares of size 1.
+  Vector2d point = Vector2d::Zero();
+  bool onBorder = false;  ///< Whether the color reaches the image's border.
 };
 
 /// A path that was followed through the image, for drawings.
@@ -35,8 +36,8 @@ struct ScanPath {
   ColorEdge end;
 };
 
-/// Has the whole image fetched into the cache in the order of memory. Scan lines lead across its
-/// rows, which alone would wait for memory at each pixel.
+/// Prefetches the whole image into the cache in the order of memory. Scan lines run across its rows
+/// and would otherwise wait for memory at each pixel.
 inline void fetch(const Image& image) {
   constexpr std::size_t cacheLine = 64;
   const auto* const bytes = reinterpret_cast<const char*>(image.pixels.data());
@@ -44,36 +45,40 @@ inline void fetch(const Image& image) {
     __builtin_prefetch(bytes + i);
 }
 
-/// Where a camera sees a direction in the robot's system, as the row there saw it; the ray must
-/// point forward.
+/// The point in the image (pixels) at which a direction in the robot's system is seen, with the
+/// camera's pose at the exposure of that row. The ray must point forward.
 Vector2d pointIn(const CameraMatrix& matrix, const Vector3d& ray);
 
-/// A camera image with all that it takes to look at it: its colors, its camera, its horizon.
+/// A camera image with the data needed to interpret it: its color table, its camera matrix, its
+/// horizon.
 struct CameraImage {
   const Image& image;
   const ColorTable64& colors;
   const CameraMatrix& matrix;
   const Horizon& horizon;
-  std::vector<ScanPath>* paths = nullptr;  ///< Takes all paths, if somebody watches.
+  /// Receives all paths if a drawing is requested; otherwise null.
+  std::vector<ScanPath>* paths = nullptr;
 
   bool contains(const Vector2d& p) const { return image.info.contains(p.x(), p.y()); }
   ColorClass classAt(const Vector2d& p) const {
     return colors[image.at(static_cast<int>(p.x()), static_cast<int>(p.y()))];
   }
-  /// The direction of a point in the robot's system, as its own row saw it; of length 1.
+  /// The unit vector, in the robot's system, from the camera to a point of the image (pixels), with
+  /// the camera's pose at the exposure of the point's row.
   Vector3d ray(const Vector2d& p) const { return matrix.ray(p.x(), p.y()).normalized(); }
-  /// Where a direction in the robot's system is seen; its ray must point forward.
+  /// The point in the image (pixels) at which a direction in the robot's system is seen. The ray
+  /// must point forward.
   Vector2d pointOf(const Vector3d& ray) const { return pointIn(matrix, ray); }
 
-  /// Follows a path from a point in a color to where the color ends (report 3.2.4, 3.2.5): the
-  /// last pixel of one of the classes, gaps of up to maxGap pixels accepted; then to a fraction of
-  /// a pixel where the image is halfway between the colors of both sides.
+  /// Follows a path from a point in a color to the end of the color (report 3.2.4, 3.2.5), the last
+  /// pixel of one of the classes. Gaps of up to maxGap pixels are skipped. The end is refined to a
+  /// fraction of a pixel, where the image is halfway between the colors of both sides.
   ColorEdge findEdge(const Vector2d& start, const Vector2d& direction, ColorSet classes,
                      int maxGap) const {
     return findEdgeOf(start, direction, maxGap,
                       [&](const Pixel&, ColorClass c) { return classes.contains(c); });
   }
-  /// The same for whatever belongs(pixel, class) accepts.
+  /// Like findEdge, for all pixels that belongs(pixel, class) accepts.
   template <typename Belongs>
   ColorEdge findEdgeOf(const Vector2d& start, const Vector2d& direction, int maxGap,
                        Belongs belongs) const {
@@ -107,11 +112,11 @@ struct CameraImage {
   Vector2d refineEdge(const Vector2d& start, const Vector2d& direction, int last) const;
 };
 
-/// The angle of a direction to the left.
+/// The angle of a direction in the robot's system to the left of straight ahead (rad).
 inline double azimuth(const Vector3d& ray) {
   return std::atan2(ray.y(), ray.x());
 }
-/// The angle of a direction above the horizon.
+/// The angle of a direction in the robot's system above the horizon (rad).
 inline double elevation(const Vector3d& ray) {
   return std::atan2(ray.z(), std::hypot(ray.x(), ray.y()));
 }

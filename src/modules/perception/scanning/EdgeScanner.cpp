@@ -18,7 +18,8 @@ constexpr int farMore = 4;    // That many times more points on lines than on th
 
 }  // namespace
 
-/// Where between two pixels the brightness is halfway between both sides of the edge.
+/// The position, with subpixel accuracy, where the brightness is halfway between both sides of the
+/// edge.
 double EdgeScanner::sharpest(int at) const {
   const auto y = [&](int i) { return static_cast<double>(y_[static_cast<std::size_t>(i)]); };
   const int first = at - reach, last = at;
@@ -113,8 +114,8 @@ void EdgeScanner::scanAcross(const CameraImage& picture, const ScanLine& line,
   }
 }
 
-// A line lies on green, the border does not: where size and colors contradict each other, the line
-// was seen lengthwise or the border in part.
+// A line has green on both sides, the border does not. If size and colors contradict each other, a
+// line was seen lengthwise or only a part of the border; no point is added then.
 void EdgeScanner::classify(const CameraImage& picture, const ScanLine& line, const Bright& bright,
                            double longestLine) {
   const double size = (bright.fall - bright.rise) * line.step.norm();

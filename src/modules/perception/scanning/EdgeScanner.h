@@ -11,12 +11,12 @@ namespace gt {
 struct GoalIndication;
 class IndicationScanner;
 
-/// Finds points on the edges of field lines, the border and goals (report 3.2.2). Edges of white
-/// are places where the y channel changes much between neighboring pixels; how far increase and
-/// decrease lie apart distinguishes lines from the border.
+/// Finds points on field lines, the field border and goals (report 3.2.2). Edges of white are
+/// places where the y channel changes strongly between neighboring pixels. The distance between
+/// rise and fall of the brightness distinguishes lines from the border.
 class EdgeScanner {
  public:
-  /// A point found, in the image.
+  /// A point found: in the image (pixels), and on the ground relative to the robot (mm).
   struct EdgePoint {
     EdgeType type;
     Vector2d inImage, onGround;
@@ -24,24 +24,24 @@ class EdgeScanner {
 
   /// Forgets what was found.
   void clear() { points_.clear(); }
-  /// Looks along a line perpendicular to the horizon, from top to bottom.
+  /// Scans a line perpendicular to the horizon, from top to bottom.
   void scanDown(const CameraImage& picture, const ScanLine& line, const FieldDimensions& field);
-  /// Looks along a line parallel to the horizon.
+  /// Scans a line parallel to the horizon.
   void scanAcross(const CameraImage& picture, const ScanLine& line, const FieldDimensions& field);
-  /// Takes the lower end of a piece of goal if the field begins there.
+  /// Adds the lower end of a part of a goal if the field begins there.
   void addGoal(const CameraImage& picture, const GoalIndication& goal);
-  /// Fills in the percept: types with less than three points are noise, and a border with far fewer
-  /// points than the lines is made of lines seen lengthwise.
+  /// Fills in the percept. Drops types with fewer than three points as noise, and the border if it
+  /// has far fewer points than the lines, since these are lines seen lengthwise.
   void finish(LinesPercept& percept);
 
-  /// What `finish` has kept.
+  /// The points found; after `finish` without the dropped ones.
   const std::vector<EdgePoint>& points() const { return points_; }
 
  private:
-  /// Something white that green follows on a scan line, in steps along it.
+  /// A bright section of a scan line that is followed by green. Positions in steps along the line.
   struct Bright {
     double rise = 0, fall = 0;
-    bool riseSeen = false;  ///< It began within the image.
+    bool riseSeen = false;  ///< Whether it begins within the image.
     bool greenBefore = false;
   };
 
@@ -56,7 +56,7 @@ class EdgeScanner {
   std::vector<EdgePoint> points_;
 };
 
-/// Looks along all lines of a grid, for objects and for points on edges.
+/// Scans all lines of a grid for objects and for points on edges.
 void scan(const CameraImage& picture, const ScanGrid& grid, const FieldDimensions& field,
           IndicationScanner& objects, EdgeScanner& edges);
 

@@ -16,7 +16,7 @@ struct FlagColors {
   constexpr bool operator==(const FlagColors&) const = default;
 };
 
-/// In the order of FlagType.
+/// The colors of all flags, in the order of FlagType.
 inline constexpr std::array flagColors{FlagColors{ColorClass::pink, ColorClass::yellow},
                                        FlagColors{ColorClass::pink, ColorClass::green},
                                        FlagColors{ColorClass::pink, ColorClass::skyblue},
@@ -28,7 +28,7 @@ constexpr FlagColors colorsOf(FlagType type) {
   return flagColors[static_cast<std::size_t>(type)];
 }
 
-/// The flag of these colors; no value if there is none.
+/// The type of the flag with these colors; nothing if no flag has them.
 constexpr std::optional<FlagType> flagOf(FlagColors colors) {
   for (std::size_t i = 0; i < flagColors.size(); ++i)
     if (flagColors[i] == colors) return static_cast<FlagType>(i);

@@ -63,8 +63,8 @@ void IndicationScanner::scan(const CameraImage& picture, const ScanLine& line,
   }
 }
 
-// First the classes of all pixels, none of which waits for the one before, then where they change:
-// eight pixels at a time, few of which differ.
+// First the classes of all pixels are looked up, independently of each other. Then changes are
+// searched in eight pixels at a time, since changes are rare.
 void IndicationScanner::findRuns(const CameraImage& picture, const ScanLine& line) {
   const int length = line.length;
   if (classes_.size() < static_cast<std::size_t>(length))
@@ -108,8 +108,8 @@ IndicationScanner::Stretch IndicationScanner::stretchFrom(std::size_t first, Col
   return stretch;
 }
 
-// Color tables leave holes in balls: unclassified pixels between orange ones are bridged as long
-// as they are not many more than the orange ones.
+// Color tables leave holes in balls. Unclassified pixels between orange ones are bridged as long as
+// they are not many more than the orange ones.
 IndicationScanner::Stretch IndicationScanner::ballFrom(std::size_t first) const {
   constexpr ColorSet classes{ColorClass::orange, ColorClass::red};
   Stretch stretch{first, first, runs_[first].length()};
@@ -128,7 +128,7 @@ IndicationScanner::Stretch IndicationScanner::ballFrom(std::size_t first) const 
   return stretch;
 }
 
-// Shaded orange often appears as red: red counts as ball where there is at least as much orange.
+// Shaded orange often appears as red. Red counts as ball if there is at least as much orange.
 std::size_t IndicationScanner::findBall(const ScanLine& line, std::size_t first) {
   const Stretch stretch = ballFrom(first);
   const std::size_t next = stretch.last + 1;
@@ -178,7 +178,7 @@ void IndicationScanner::findFlag(const ScanLine& line, std::size_t first) {
   }
 }
 
-// A goal stands on the field: below its color comes green, perhaps after a line, or the image's
+// A goal stands on the field: below its color there is green, possibly after a line, or the image's
 // border, or a robot that hides the rest.
 std::size_t IndicationScanner::findGoal(const CameraImage& picture, const ScanLine& line,
                                         const FieldDimensions& field, std::size_t first) {
@@ -207,8 +207,8 @@ std::size_t IndicationScanner::findGoal(const CameraImage& picture, const ScanLi
   return next;
 }
 
-// A person in the goal's color may stand behind it: no goal is seen higher than it must be where
-// its foot is.
+// A person in the goal's color may stand behind it. The top is therefore limited to the height of a
+// goal that stands at the foot.
 void IndicationScanner::cutOff(const CameraImage& picture, const FieldDimensions& field,
                                GoalIndication& goal) {
   constexpr double tolerance = fromDegrees(4);  // the errors of a camera matrix at top and foot
@@ -222,9 +222,9 @@ void IndicationScanner::cutOff(const CameraImage& picture, const FieldDimensions
   goal.topKnown = false;
 }
 
-// Below it comes a robot down to the green or the end of the line, and nothing that belongs to a
-// flag is near: what is seen above a wall is no goal. Gray is no sign of a robot, it is anywhere,
-// nor is black alone, as people's legs are.
+// Whether a robot is below the goal, down to the green or to the end of the line, and no color of a
+// flag is near, since objects above a wall are no goal. Gray does not indicate a robot, because it
+// is everywhere; black alone does not either, because people's legs are black.
 bool IndicationScanner::isHidden(const Stretch& goal) const {
   constexpr ColorSet flag{ColorClass::pink, ColorClass::white};
   constexpr ColorSet tricots{ColorClass::red, ColorClass::blue};
@@ -257,7 +257,7 @@ void IndicationScanner::findPlayer(const ScanLine& line, const Stretch& tricot, 
   players.push_back(player);
 }
 
-// From the bottom upwards: green, with gaps that field lines could make (report 3.2.7).
+// Searches from the bottom upwards for green, with gaps that may be field lines (report 3.2.7).
 void IndicationScanner::findGreen(const CameraImage& picture, const ScanLine& line,
                                   const FieldDimensions& field) {
   int begin = line.length;
@@ -284,8 +284,8 @@ void IndicationScanner::findGreen(const CameraImage& picture, const ScanLine& li
   greens.push_back(green);
 }
 
-// Along itself a field line may be as long as it wants; across it is as narrow as it was painted,
-// which neither robots nor walls are.
+// Lengthwise, a field line may have any length; across, it is as narrow as painted. Robots and
+// walls are wider.
 bool IndicationScanner::isSeenLengthwise(const CameraImage& picture, const Vector2d& middle,
                                          double distance, const FieldDimensions& field) {
   constexpr double blur = 1.5, widest = 1.3;  // Pixels, painted widths.
@@ -300,7 +300,8 @@ bool IndicationScanner::isSeenLengthwise(const CameraImage& picture, const Vecto
   return width > 0 && width <= most;
 }
 
-// Where the image is halfway between green and what follows: classes end a pixel or two before.
+// The point where the image is halfway between green and the next color. The color class ends a
+// pixel or two before it.
 Vector2d IndicationScanner::greenEnd(const CameraImage& picture, const ScanLine& line, int begin) {
   constexpr int inside = 2;  // Pixels, from where the color is not mixed.
   if (begin == 0 || begin == line.length) return line.at(std::min(begin, line.length - 1));

@@ -5,7 +5,7 @@
 
 namespace gt {
 
-/// How edges of a type are drawn.
+/// The color in which edges of a type are drawn.
 Color colorOf(EdgeType type);
 /// Draws all lines of the grid under the key `ImageProcessor/grid`.
 void drawGrid(const ScanGrid& grid, Debug& debug);

@@ -7,20 +7,22 @@
 
 namespace gt {
 
-/// A straight row of pixels, one each step along the axis of the image to which it is closer.
+/// A straight line of pixels: one pixel for each step along the image axis to which the line is
+/// closer.
 struct ScanLine {
-  double u = 0;        ///< Where it crosses the horizon's system of coordinates.
-  Vector2d start;      ///< Center of the first pixel along the closer axis.
-  Vector2d step;       ///< From pixel to pixel.
-  int length = 0;      ///< Pixels.
-  bool whole = false;  ///< One of the lines that reach over the whole image.
+  /// Coordinate `u` of the line in the horizon's system of coordinates, pixels.
+  double u = 0;
+  Vector2d start;      ///< First point, at the center of a pixel along the closer axis.
+  Vector2d step;       ///< Vector from one pixel to the next.
+  int length = 0;      ///< Number of pixels.
+  bool whole = false;  ///< Whether it is one of the lines that cross the whole image.
   bool fromBorder = false, toBorder = false;  ///< Whether its ends lie on the image's border.
 
   Vector2d at(double i) const { return start + step * i; }
 };
 
-/// The pixels of a scan line one after another, in steps of 1/65536 pixel: for the loops that look
-/// at all of them.
+/// Iterates over the pixels of a scan line in fixed-point numbers (1/65536 pixel), for loops that
+/// read all of them.
 class PixelWalk {
  public:
   PixelWalk(const Image& image, const ScanLine& line)
@@ -44,18 +46,22 @@ class PixelWalk {
   std::ptrdiff_t width_, x_, y_, stepX_, stepY_;
 };
 
-/// How the grid is spread over the image.
+/// Spacing and reach of the scan lines of a grid.
 struct GridSpacing {
-  double dense = 2;  ///< Pixels between lines next to the horizon; twice and four times elsewhere.
-  double reachUp = 10;   ///< How far lines reach above the horizon per pixel of their spacing.
-  double reachDown = 8;  ///< The same below; four times the dense spacing reaches everywhere.
+  /// Pixels between lines next to the horizon; two and four times that elsewhere.
+  double dense = 2;
+  double reachUp = 10;  ///< Pixels that lines reach above the horizon per pixel of their spacing.
+  /// Pixels below the horizon per pixel of spacing; lines with four times the dense spacing reach
+  /// everywhere.
+  double reachDown = 8;
 };
 
-/// The scan lines perpendicular to the horizon, from top to bottom, dense near the horizon and
-/// coarse below (report 3.2.1). From left to right.
+/// The scan lines of an image, aligned with the horizon (report 3.2.1).
 class ScanGrid {
  public:
   void build(const CameraInfo& info, const Horizon& horizon, const GridSpacing& spacing);
+  /// The lines perpendicular to the horizon, from left to right, each from top to bottom; dense
+  /// near the horizon and coarse below.
   const std::vector<ScanLine>& lines() const { return lines_; }
   /// A few lines parallel to the horizon, below it; every second one from right to left.
   const std::vector<ScanLine>& rows() const { return rows_; }
@@ -64,11 +70,11 @@ class ScanGrid {
   std::vector<ScanLine> lines_, rows_;
 };
 
-/// How many points start + i * step lie in the image before the first one that does not.
+/// The number of points start + i * step that lie in the image before the first one outside.
 int stepsInImage(const CameraInfo& info, const Vector2d& start, const Vector2d& step);
 
 /// The part of a line base + t * direction (a unit vector), low <= t <= high, that lies in the
-/// image; length 0 if none does.
+/// image (pixels); length 0 if no part does.
 ScanLine clippedLine(const CameraInfo& info, const Vector2d& base, const Vector2d& direction,
                      double low, double high);
 

@@ -18,7 +18,7 @@ constexpr double hiddenError = 0.7;    // Standard deviation of the radius, as a
 constexpr ColorSet robotColors{ColorClass::red, ColorClass::blue, ColorClass::black,
                                ColorClass::gray};
 
-/// Whether fewer than half of the segments' opposite ends lie on the wrong side of a point.
+/// Returns whether fewer than half of the segments' opposite ends lie on the wrong side of a point.
 template <typename Wrong>
 bool isOutlier(std::span<const BallSegment> segments, std::span<const std::size_t> members,
                Wrong wrong) {
@@ -122,9 +122,9 @@ void BallSpecialist::collectPoints(std::span<const BallSegment> segments, const 
   }
 }
 
-// The mean chroma of the ball: first of its orange pixels, which in a blurred or badly classified
-// ball lie mainly on its rim, then of all that look like them. Unclassified pixels that have it are
-// ball, too.
+// Computes the mean chroma of the ball: first of its orange pixels, which in a blurred or badly
+// classified ball lie mainly on its rim, then of all similar pixels. Unclassified pixels with this
+// chroma also count as ball.
 void BallSpecialist::learnColor(const CameraImage& picture, const Cluster& cluster) {
   constexpr int samples = 12;
   constexpr double similar = 20;
@@ -153,8 +153,8 @@ bool BallSpecialist::isBall(const Pixel& pixel, ColorClass color) const {
           std::abs(pixel.cr - cr_) < similar);
 }
 
-// Whether the ball ends at an edge: an orange highlight on something red does not, it is surrounded
-// by at least as much red.
+// Returns whether an edge is the ball's boundary. The edge of an orange highlight on a red object
+// is not: it is followed by at least as much red.
 bool BallSpecialist::isBoundary(const CameraImage& picture, const Vector2d& edge,
                                 const Vector2d& way) {
   constexpr double lessRed = 12;
@@ -163,8 +163,8 @@ bool BallSpecialist::isBoundary(const CameraImage& picture, const Vector2d& edge
          picture.colorAt(beyond).z() < picture.colorAt(edge - way * away).z() - lessRed;
 }
 
-// From within the ball to all sides: points to a fraction of a pixel, also left and right where
-// the scan lines only touch.
+// Follows paths from within the ball to all sides. Finds points with subpixel accuracy, also left
+// and right, where scan lines are tangential.
 void BallSpecialist::traceBoundary(const CameraImage& picture, const Vector2d& inside) {
   points_.clear();
   traced_ = 0;
@@ -179,10 +179,10 @@ void BallSpecialist::traceBoundary(const CameraImage& picture, const Vector2d& i
   }
 }
 
-// The rays that touch a sphere form a cone: all of them have the same angle to its axis, so
-// ray . n = 1 with n = axis / cos(angle), which is linear in n. The points next to green begin, if
-// they are enough: others may lie on what hides the ball. Then all that are close to the cone
-// count.
+// The rays that touch a sphere form a cone: all of them have the same angle to its axis, so ray . n
+// = 1 with n = axis / cos(angle), which is linear in n. The first fit uses the points next to green
+// if they are enough, because others may lie on an object that hides the ball. Then all points
+// close to the cone count.
 bool BallSpecialist::fitCone(const CameraImage& picture, BallCone& cone) const {
   const std::size_t n = std::min<std::size_t>(points_.size(), traceRays);
   if (n < minForCone) return false;
@@ -237,9 +237,9 @@ bool BallSpecialist::look(const CameraImage& picture, std::span<const BallSegmen
   return percept.seen;
 }
 
-// The report's cases: three points of the boundary make a circle, a single one is the highest or
-// lowest point, without any the ball fills the image. Where the boundary can be traced, all of it
-// replaces the circle's three points.
+// The report's cases: three points of the boundary define a circle, a single one is the highest or
+// lowest point, and without any the ball fills the image. If the boundary can be traced, all of its
+// points replace the circle's three.
 bool BallSpecialist::locate(const CameraImage& picture, std::span<const BallSegment> segments,
                             const Cluster& cluster, double ballRadius, BallCone& cone) {
   Vector2d inside = Vector2d::Zero();
@@ -264,8 +264,8 @@ bool BallSpecialist::locate(const CameraImage& picture, std::span<const BallSegm
   return true;
 }
 
-// Two points with the largest distance, then the one furthest away from both. A point next to
-// green is preferred: its distance counts double.
+// Uses the two points with the largest distance from each other, and the one farthest from both. A
+// point next to green is preferred: its distance counts double.
 bool BallSpecialist::circleCone(const CameraImage& picture, BallCone& cone) const {
   if (points_.size() < 3) return false;
   const auto trust = [](const BoundaryPoint& p) { return p.beyond == ColorClass::green ? 2 : 1; };
@@ -318,8 +318,8 @@ bool BallSpecialist::pointCone(const CameraImage& picture, double ballRadius,
   return true;
 }
 
-// What looks like a ball far away may be anything small and orange, but a ball lies on the field.
-// Without a camera matrix, as during kicks, anything may: nothing else says that a shirt is none.
+// Any small orange object looks like a ball far away, but a ball lies on the field. Without a
+// camera matrix, as during kicks, this test is the only one that rejects a shirt.
 bool BallSpecialist::isOnGreen(const CameraImage& picture, const BallPercept& percept) const {
   constexpr double small = 4;  // Pixels.
   if (picture.matrix.valid && percept.radiusInImage > small) return true;

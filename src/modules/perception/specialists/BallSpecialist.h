@@ -9,10 +9,11 @@
 
 namespace gt {
 
-/// Finds the ball from what the scan lines saw of it (report 3.2.3).
+/// Finds the ball from its sections on scan lines (report 3.2.3).
 class BallSpecialist {
  public:
-  /// Fills in the percept; `segments` must be in the order of their scan lines. All but `time`.
+  /// Fills in the percept except `time`. `segments` must be in the order of their scan lines.
+  /// `ballRadius` in mm.
   void find(const CameraImage& picture, std::span<const BallSegment> segments, double ballRadius,
             BallPercept& percept);
 
@@ -25,7 +26,7 @@ class BallSpecialist {
   };
   /// Segments that may belong to one ball.
   struct Cluster {
-    Vector2d low, high;  ///< Corners of the rectangle around it.
+    Vector2d low, high;  ///< Corners of its bounding box, pixels.
     int orange = 0;
     std::vector<std::size_t> segments;
   };
@@ -48,8 +49,8 @@ class BallSpecialist {
   std::vector<Cluster> clusters_;
   std::size_t used_ = 0;
   std::vector<BoundaryPoint> points_;
-  int traced_ = 0;          ///< Ways from within the ball that ended within the image.
-  double cb_ = 0, cr_ = 0;  ///< Of the orange pixels of the cluster looked at.
+  int traced_ = 0;          ///< Number of paths from within the ball that ended within the image.
+  double cb_ = 0, cr_ = 0;  ///< Mean chroma of the ball's pixels in the current cluster.
 };
 
 }  // namespace gt

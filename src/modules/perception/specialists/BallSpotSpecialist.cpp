@@ -32,7 +32,7 @@ std::array<Vector2d, circles * points> onCircles(const std::array<double, circle
           radii[i] * direction(2 * pi * (static_cast<double>(k) + 0.5 * (i % 2)) / points);
   return found;
 }
-/// Whether there is black beside white: most places are rejected by that alone.
+/// Returns whether there is black next to white. This alone rejects most places.
 bool hasContrast(const CameraImage& picture, const Vector2d& center, double radius) {
   constexpr double near = 0.45, far = 1.3;  // of the radius
   constexpr double least = 0.6;

@@ -6,25 +6,25 @@
 
 namespace gt {
 
-/// Finds a black and white ball of which distance, noise and light leave hardly an edge: a spot as
-/// large as a ball on the ground is there, black and white compared with the brightest pixel
-/// around, with nothing black beside it and green before it.
+/// Finds a black and white ball that hardly has edges because of its distance, noise and light.
+/// Searches for a spot of the size of a ball on the ground that is black and white relative to the
+/// brightest pixel around it, with no black beside it and green in front of it.
 class BallSpotSpecialist {
  public:
-  /// Fills in the percept, all but `time`.
+  /// Fills in the percept except `time`. `ballRadius` in mm.
   void find(const CameraImage& picture, double ballRadius, BallPercept& percept) const;
 
  private:
   struct Spot {
     Vector2d center;
-    double radius = 0;  ///< Pixels.
-    double score = 0;   ///< How well it fits, above 0.
+    double radius = 0;  ///< pixels
+    double score = 0;   ///< Quality of the fit; greater than 0 if it is a ball.
   };
 
-  /// The best one in the image, of score 0 if there is none. `growth` is how much larger (pixels) a
-  /// ball is with each pixel that it lies below the horizon.
+  /// The spot with the highest score in the image; score 0 if there is none. `growth` is the
+  /// increase of a ball's radius (pixels) for each pixel that it lies below the horizon.
   static Spot best(const CameraImage& picture, double growth);
-  /// Moved to where its neighbors in place and radius fit best.
+  /// The spot moved to the neighboring position and radius with the highest score.
   static Spot fitted(const CameraImage& picture, Spot spot);
   static std::optional<Spot> spotAt(const CameraImage& picture, const Vector2d& center,
                                     double radius);

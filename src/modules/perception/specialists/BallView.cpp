@@ -5,8 +5,8 @@
 namespace gt {
 namespace {
 
-// Both distances are inverted, since their errors grow with the square of the distance: the inverse
-// ones are equally exact anywhere.
+// Fuses the inverse distances, because the errors of distances grow with the square of the
+// distance, while the inverse ones are equally accurate everywhere.
 double fusedDistance(const BallPercept& percept, const BallCone& cone, double ballRadius,
                      const CameraMatrix& matrix) {
   constexpr double mostSmaller = 2.5;  // standard deviations, of a whole ball
@@ -62,8 +62,8 @@ bool describeBall(const CameraImage& picture, const BallCone& cone, double ballR
   return true;
 }
 
-// A ball neither floats nor lies deep in the ground, nor does it ever reach up to the horizon: seen
-// at the distance that follows from its size, its center is at its radius above the ground.
+// A ball neither floats nor sinks into the ground, nor reaches up to the horizon. At the distance
+// that follows from its size, its center must be one radius above the ground.
 bool isOnGround(const CameraImage& picture, const BallPercept& percept, const Vector3d& axis,
                 double ballRadius) {
   if (!picture.matrix.valid) return true;

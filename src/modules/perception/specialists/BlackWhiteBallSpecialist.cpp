@@ -16,8 +16,8 @@ constexpr int minVotes = 4;
 constexpr std::size_t attempts = 10;  // Cells that are looked at, those with the most votes first.
 constexpr double mostWrong = 1.5;  // That many times as large as the ball should be there at most.
 
-/// How large a ball on the ground is (pixels), for each pixel that it lies below the horizon: both
-/// grow alike as it comes nearer.
+/// The radius of a ball on the ground (pixels) for each pixel that it lies below the horizon; both
+/// grow in proportion as it comes nearer.
 double growth(const CameraMatrix& matrix, double ballRadius) {
   return ballRadius / std::max(matrix.pose.translation.z() - ballRadius, 20.0);
 }
@@ -48,7 +48,7 @@ void BlackWhiteBallSpecialist::find(const CameraImage& picture, double ballRadiu
   }
 }
 
-// Where balls are large fewer rows show as much of them. A ball at the horizon reaches above it.
+// Where balls are large, fewer rows suffice to see them. A ball at the horizon reaches above it.
 void BlackWhiteBallSpecialist::findEdges(const CameraImage& picture, double ballRadius) {
   constexpr double rowsPerRadius = 5, highest = -2 * smallest, mostStep = 6;
   edges_.clear();
@@ -103,8 +103,8 @@ void BlackWhiteBallSpecialist::scanRow(const CameraImage& picture, int y, int fr
   }
 }
 
-// What is left, right, above and below of it must be green, white or black, mostly, and one side
-// the ball's (report 4.1.1).
+// Most pixels left, right, above and below the edge must be green, white or black, and one side
+// must belong to the ball (report 4.1.1).
 void BlackWhiteBallSpecialist::testEdge(const CameraImage& picture, int x, int y,
                                         const Vector2d& gradient) {
   constexpr int near = 2, far = 4, minInside = 2;
@@ -206,9 +206,9 @@ bool BlackWhiteBallSpecialist::look(const CameraImage& picture, std::size_t cell
   return percept.seen;
 }
 
-// From within the ball to all sides, as long as it is black and white: eleven radii and cells of
-// five pixels alone give poor distances. Where a line or a robot is next to the ball the way goes
-// on: only what is about as far away as the rest counts.
+// Follows paths from within the ball to all sides while the image is black and white, because
+// eleven radii and cells of five pixels alone give poor distances. Next to a line or a robot the
+// path continues beyond the ball: only ends that are about as far away as the others count.
 bool BlackWhiteBallSpecialist::traceCircle(const CameraImage& picture, Vector2d& center,
                                            double& radius) {
   constexpr int rays = 24, least = 8, maxGap = 1, mostColor = 16;
@@ -250,8 +250,8 @@ bool BlackWhiteBallSpecialist::traceCircle(const CameraImage& picture, Vector2d&
   return 5 * inside >= 2 * count;
 }
 
-// Of 80 pixels chosen at random at least half must be black or white, and a tenth black
-// (report 4.1.1); and some white: legs of robots are gray and black.
+// At least half of 80 pixels chosen at random must be black or white, and a tenth must be black
+// (report 4.1.1). Some must be white, because legs of robots are gray and black.
 bool BlackWhiteBallSpecialist::isFull(const CameraImage& picture, const Vector2d& center,
                                       double radius, Random& random) {
   constexpr int samples = 80, first = 16;

@@ -10,18 +10,17 @@
 namespace gt {
 
 /// Finds a black and white ball by its edges: Sobel filter, Hough transform with eleven radii, and
-/// whether the circle is full of black and white (report 4.1.1).
+/// a test whether the circle is filled with black and white (report 4.1.1).
 class BlackWhiteBallSpecialist {
  public:
-  /// A point where the image changes much from left to right, and whether it may be the ball's
-  /// boundary.
+  /// A point (pixels) where the image changes strongly from left to right.
   struct Edge {
     Vector2d point;
-    Vector2d inward = Vector2d::Zero();  ///< Along the gradient into the ball, of length 1.
-    bool onBall = false;
+    Vector2d inward = Vector2d::Zero();  ///< Unit vector along the gradient into the ball.
+    bool onBall = false;                 ///< Whether it may be on the ball's boundary.
   };
 
-  /// Fills in the percept, all but `time`.
+  /// Fills in the percept except `time`. `ballRadius` in mm.
   void find(const CameraImage& picture, double ballRadius, Random& random, BallPercept& percept);
 
   const std::vector<Edge>& edges() const { return edges_; }
@@ -42,10 +41,10 @@ class BlackWhiteBallSpecialist {
   Vector2d cellCenter(std::size_t cell) const;
 
   std::vector<Edge> edges_;
-  std::array<double, radii> radius_{};  ///< Pixels.
+  std::array<double, radii> radius_{};  ///< pixels
   int cellsX_ = 0, cellsY_ = 0;
   std::vector<std::uint16_t> votes_;     ///< For each radius, row by row.
-  std::vector<std::size_t> candidates_;  ///< Cells with votes enough.
+  std::vector<std::size_t> candidates_;  ///< Cells with enough votes.
 };
 
 }  // namespace gt

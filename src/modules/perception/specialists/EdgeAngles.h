@@ -4,7 +4,7 @@
 
 namespace gt {
 
-/// The angles at which several scans met the same edge of a landmark (report 3.2.4, 3.2.5).
+/// The angles (rad) at which several scans met the same edge of a landmark (report 3.2.4, 3.2.5).
 class EdgeAngles {
  public:
   struct Merged {
@@ -16,9 +16,10 @@ class EdgeAngles {
   void add(double angle, bool onBorder);
   bool empty() const { return count_ == 0; }
 
-  /// The outermost angle, averaged with those close to it, since each has the image's noise in
-  /// it; `sign` is 1 where a larger angle lies further out. An edge is straight: where less than
-  /// `share` of the scans met it, something hides it, which counts as the image's border does.
+  /// The outermost angle, averaged with those within `tolerance` (rad) to reduce the image's noise.
+  /// `sign` is 1 if a larger angle lies farther out, otherwise -1. An edge is straight: if less
+  /// than `share` of the scans met it, it is hidden, and `onBorder` is set as at the image's
+  /// border.
   Merged merge(double sign, double tolerance, double share) const;
 
  private:

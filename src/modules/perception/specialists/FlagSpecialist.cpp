@@ -9,7 +9,7 @@ namespace gt {
 namespace {
 
 constexpr int maxGap = 2;
-// Where rows and columns are scanned, as parts of a color's height and the flag's width.
+// Positions of the scanned rows and columns, as shares of a color's height and the flag's width.
 constexpr std::array parts{0.25, 0.5, 0.75};
 // Scans whose edges differ by less than this many pixels met the same edge.
 constexpr double sameEdge = 1.2;
@@ -115,7 +115,8 @@ bool FlagSpecialist::measureHeights(const CameraImage& picture, const Vector2d& 
   return m.heightBelow <= mostUneven * m.heightAbove || m.aboveOnBorder;
 }
 
-// Rows of one color; `offset` is where its far end lies from the start along the horizon's down.
+// Scans rows of one color. `offset` is the position of the color's far end relative to `start`
+// (pixels, positive: down).
 void FlagSpecialist::scanRows(const CameraImage& picture, const Vector2d& start, double offset,
                               ColorSet colors, double& widest) {
   const Vector2d along = picture.horizon.along;
@@ -151,8 +152,8 @@ bool FlagSpecialist::scanWidth(const CameraImage& picture, const Vector2d& start
   return !left_.empty() && widest >= 1.5;
 }
 
-// Of nine places between the flag's sides, `height` high from `from` on (pixels down from the
-// start).
+// Tests nine points between the flag's sides, in a range of `height` from `from` on (pixels down
+// from `start`).
 FlagSpecialist::Places FlagSpecialist::look(const CameraImage& picture, const Vector2d& start,
                                             double from, double height, ColorSet colors) const {
   Places places;
@@ -167,7 +168,8 @@ FlagSpecialist::Places FlagSpecialist::look(const CameraImage& picture, const Ve
   return places;
 }
 
-// Blurred edges between other colors look like a flag's, but not like both of its fields.
+// Blurred edges between other colors look like the edge between a flag's colors, but do not have
+// its two colored areas.
 bool FlagSpecialist::isSolid(const CameraImage& picture, const Vector2d& start,
                              const Measurement& m) const {
   for (const bool upper : {true, false}) {
@@ -178,7 +180,8 @@ bool FlagSpecialist::isSolid(const CameraImage& picture, const Vector2d& start,
   return true;
 }
 
-// Below a flag is its white pole, or a robot before it: no other flag, no goal, no ground.
+// Below a flag is its white pole or a robot in front of it, but no other flag, no goal and no
+// ground.
 bool FlagSpecialist::standsOnPole(const CameraImage& picture, const Vector2d& start,
                                   const Measurement& m) const {
   constexpr int most = 4, mostOfUncertain = 2;  // of nine places

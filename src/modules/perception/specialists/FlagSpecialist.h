@@ -7,7 +7,7 @@
 
 namespace gt {
 
-/// Measures the flags that the scan lines met (report 3.2.4).
+/// Measures the flags that were met by scan lines (report 3.2.4).
 class FlagSpecialist {
  public:
   /// Fills in the percept's flags.
@@ -17,7 +17,7 @@ class FlagSpecialist {
  private:
   /// Indications close to each other, perhaps of different flags.
   struct Cluster {
-    Vector2d newest = Vector2d::Zero();  ///< In the horizon's system.
+    Vector2d newest = Vector2d::Zero();  ///< In the horizon's system, pixels.
     std::array<int, 6> votes{};
     std::array<Vector2d, 6> sums;
   };
@@ -25,11 +25,12 @@ class FlagSpecialist {
   struct Measurement {
     ColorSet upper, lower, pink, other;
     bool pinkAbove = false, otherIsGreen = false;
-    double heightAbove = 0, heightBelow = 0;  ///< Of the two colors from where they meet, pixels.
+    /// Heights of the two colors from where they meet, pixels.
+    double heightAbove = 0, heightBelow = 0;
     bool aboveOnBorder = false, belowOnBorder = false;
-    bool aboveGoesOn = false;  ///< Beyond a flag's height.
+    bool aboveGoesOn = false;  ///< Whether the color continues above a flag's height.
   };
-  /// How many of some places lie in the image, and have one of some colors.
+  /// Numbers of test points that lie in the image, and that have one of some colors.
   struct Places {
     int inside = 0, colored = 0;
   };
@@ -54,8 +55,9 @@ class FlagSpecialist {
   double leftmost_ = 0, rightmost_ = 0;  ///< Pixels along the horizon from the start.
 };
 
-/// Where a flag stands as its boundary and the elevation at which its colors meet tell: fills in
-/// distance and angle (report 3.2.4); false if no flag can look like that.
+/// Computes distance (mm) and angle (rad) of a flag, relative to the robot, from its boundary and
+/// the elevation `middle` (rad) at which its colors meet (report 3.2.4). Returns false if no flag
+/// can look like that.
 bool locateFlag(const CameraMatrix& matrix, const FieldDimensions& field, double middle,
                 FlagPercept& flag);
 

@@ -13,7 +13,7 @@ constexpr double straight = 0.5;  // The part of the rows that has to meet a pos
 constexpr double rim = 3;  // Pixels at the image's border, whose colors blur and light change.
 constexpr ColorSet robotColors{ColorClass::red, ColorClass::blue, ColorClass::black,
                                ColorClass::gray};
-// What is never seen where a goal meets the ground.
+// Colors that are never seen where a goal meets the ground.
 constexpr ColorSet notBelow{ColorClass::red, ColorClass::blue, ColorClass::black, ColorClass::gray,
                             ColorClass::noColor};
 constexpr std::size_t minLines = 2;
@@ -22,7 +22,7 @@ bool isAtRim(const CameraInfo& info, const Vector2d& p) {
   return p.x() < rim || p.x() > info.width - rim || p.y() < rim || p.y() > info.height - rim;
 }
 
-// Where a robot begins the goal does not end.
+// Returns whether a robot begins at the edge, so that it is not the end of the goal.
 bool isHidden(const CameraImage& picture, const Vector2d& edge, const Vector2d& way,
               ColorSet robot) {
   const Vector2d beyond = edge + way * 2.5;
@@ -33,7 +33,7 @@ double heightOf(const GoalIndication& g) {
   return (g.bottom - g.top).norm();
 }
 
-// Rows, as parts of the goal's height. Robots hide the lower ones.
+// Positions of the scanned rows, as shares of the goal's height. Robots hide the lower ones.
 constexpr std::array rows{0.15, 0.3, 0.5, 0.7, 0.85};
 
 }  // namespace
@@ -50,7 +50,8 @@ void GoalSpecialist::find(const CameraImage& picture, std::span<const GoalIndica
   }
 }
 
-// Robots divide a goal, but gaps wider than the goal is high have another reason.
+// Robots divide a goal into parts. Gaps wider than the goal's height have other reasons and
+// separate groups.
 void GoalSpecialist::selectGroup(const CameraImage& picture,
                                  std::span<const GoalIndication> indications, GoalColor color) {
   group_.clear();
@@ -88,7 +89,8 @@ const GoalIndication& GoalSpecialist::highest() const {
   return *std::ranges::max_element(group_, {}, heightOf);
 }
 
-// The outermost line that shows most of the goal's height: beyond it robots may hide the goal.
+// The outermost line that shows most of the goal's height. Lines farther out may be hidden by
+// robots.
 const GoalIndication& GoalSpecialist::outermost(bool left) const {
   const double enough = 0.6 * heightOf(highest());
   const std::size_t n = group_.size();

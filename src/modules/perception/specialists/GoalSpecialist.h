@@ -7,7 +7,7 @@
 
 namespace gt {
 
-/// Measures the goals that the scan lines met (report 3.2.5).
+/// Measures the goals that were met by scan lines (report 3.2.5).
 class GoalSpecialist {
  public:
   /// Fills in the percept's goals; the indications must be in the order of their scan lines.
@@ -28,8 +28,8 @@ class GoalSpecialist {
   EdgeAngles left_, right_, top_, bottom_;
 };
 
-/// Computes from its boundary where a goal stands: fills in distance and angle (report 3.2.5);
-/// false if no goal can look like that.
+/// Computes distance (mm) and angle (rad) of a goal, relative to the robot, from its boundary
+/// (report 3.2.5). Returns false if no goal can look like that.
 bool locateGoal(const CameraMatrix& matrix, const FieldDimensions& field, GoalPercept& goal);
 
 }  // namespace gt

@@ -31,10 +31,12 @@ constexpr double footError = 0.1;      // their distance, as matrix and image er
 constexpr double bodyWidth = 300;      // mm: the longest that a robot is seen
 constexpr double footBeside = 60;      // mm: feet stand that far beside the tricot
 constexpr double farBelow = 1e4;       // pixels: to the end of the image
-// Tricots are lower than the camera, whose matrix errs.
+// Greatest elevation of a tricot. Tricots are lower than the camera; the rest allows for errors of
+// its matrix.
 constexpr double highestTricot = fromDegrees(4);
 
-// What is below the tricot and does not belong to the ground, nor to what lies on it.
+// Returns whether a color below the tricot belongs to a robot, and not to the ground or to objects
+// on it.
 bool isBody(ColorClass color) {
   constexpr ColorSet bodyColors{ColorClass::gray, ColorClass::black, ColorClass::red,
                                 ColorClass::blue, ColorClass::noColor};
@@ -101,7 +103,8 @@ void PlayerSpecialist::endCluster(const CameraImage& picture, std::vector<Vector
   cluster_.clear();
 }
 
-// A robot has several feet, and several lines meet each: what stands alone before them is no foot.
+// A robot has several feet, and several lines meet each of them. A single point nearer than the
+// others is no foot.
 double PlayerSpecialist::nearestFoot() {
   std::sort(distances_.begin(), distances_.end());
   for (std::size_t i = 0; i + 1 < distances_.size(); ++i)
@@ -167,9 +170,9 @@ double PlayerSpecialist::distanceByTricot(const CameraImage& picture, double byS
   return std::min(distance, below / -*slope);
 }
 
-// Below a tricot, or a place beside it, come legs, then green. The first green below the tricot may
-// be seen between the legs, the last one before `end` is at a foot. A leg that leaves the image
-// stands nearer than that. What is seen above a wall has no foot.
+// Below a tricot, or a place beside it, are legs, then green. The first green below the tricot may
+// be seen between the legs; the last green before `end` is at a foot. A leg that leaves the image
+// stands nearer than the point where it does. Objects seen above a wall have no foot.
 void PlayerSpecialist::follow(const CameraImage& picture, double u, double v, double end,
                               Which which) {
   int green = 0, white = 0, body = which == Which::first ? minGreen : 0;
@@ -212,8 +215,8 @@ void PlayerSpecialist::follow(const CameraImage& picture, double u, double v, do
   }
 }
 
-// Not all foot points are below a foot, some are below the body: the smallest distance counts. The
-// legs of the side that is nearer reach further down, and stand beside the tricot, too.
+// Some foot points are below the body, not below a foot; the smallest distance counts. The legs of
+// the nearer side reach farther down and are also seen beside the tricot.
 void PlayerSpecialist::lookForFeet(const CameraImage& picture) {
   foot_ = border_ = farthestOnGround;
   distances_.clear();

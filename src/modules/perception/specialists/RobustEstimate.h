@@ -4,9 +4,9 @@
 
 namespace gt {
 
-/// What is known of some numbers, and how well: a Kalman filter's state. A measurement that is
-/// further off than two standard deviations counts as if its noise explained that, so that errors
-/// move it little and what is really far off still moves it.
+/// State and covariance of a Kalman filter. If the innovation of a measurement is larger than two
+/// standard deviations, the variance of its noise is increased to match. Outliers therefore change
+/// the state little, and real changes still do.
 template <int n>
 struct RobustEstimate {
   using Vector = Eigen::Matrix<double, n, 1>;
@@ -15,7 +15,8 @@ struct RobustEstimate {
   Vector value = Vector::Zero();
   Matrix covariance = Matrix::Zero();
 
-  /// By how many standard deviations a measurement, row * value with noise of a variance, is off.
+  /// The innovation of a measurement, in standard deviations. The measurement is row * value with
+  /// noise of a variance.
   double surprise(const Vector& row, double measured, double variance) const {
     return std::abs(measured - row.dot(value)) / std::sqrt(row.dot(covariance * row) + variance);
   }

@@ -24,7 +24,8 @@ std::optional<SeenHeight> heightOf(const BallPercept& ball, const CameraMatrix& 
                     std::tan(down) * std::hypot(sizeError, radiusError / radius)};
 }
 
-/// Something upright between two heights (mm); `error` is that of its middle's edges (pixels).
+/// The SeenHeight of an upright object between two heights (mm). `error` is the error of the
+/// elevation of its middle (pixels).
 std::optional<SeenHeight> heightOf(const ConditionalBoundary& b, const CameraMatrix& matrix,
                                    double low, double high, double error) {
   const double height = std::tan(b.top) - std::tan(b.bottom);

@@ -10,24 +10,25 @@
 
 namespace gt {
 
-/// How high something is seen, beside where it must be: how high a flag, a goal or the ball is seen
-/// follows from its distance, which its size gives. It tells how wrong a camera matrix is.
+/// The difference between the seen and the expected elevation of an object. The expected elevation
+/// of a flag, a goal or the ball follows from its distance, which its size gives. The difference
+/// measures the error of the camera matrix.
 struct SeenHeight {
-  double azimuth = 0;    ///< rad
-  double tooHigh = 0;    ///< rad
-  double distance = 0;   ///< mm, on the ground, from the camera.
-  double deviation = 0;  ///< rad: the standard deviation of `tooHigh` by the percept alone.
+  double azimuth = 0;    ///< rad, relative to the robot.
+  double tooHigh = 0;    ///< Seen minus expected elevation, rad.
+  double distance = 0;   ///< From the camera, along the ground, mm.
+  double deviation = 0;  ///< Standard deviation of `tooHigh` caused by the percept alone, rad.
 
-  /// What turns a camera about the robot's x and y axis by 1 rad, and lifts it by 1 mm, add to
-  /// `tooHigh` that they mend.
+  /// The part of `tooHigh` that is corrected by turning the camera about the robot's x axis by 1
+  /// rad, about its y axis by 1 rad, and by lifting it by 1 mm.
   Vector3d mended() const { return {-std::sin(azimuth), std::cos(azimuth), -1 / distance}; }
 };
 
-/// That of a flag; nothing if its upper or lower end is not seen.
+/// The SeenHeight of a flag; nothing if its upper or lower end is not seen.
 std::optional<SeenHeight> heightOf(const FlagPercept& flag, const CameraMatrix& matrix,
                                    const FieldDimensions& field);
 
-/// Replaces `heights` by those of all that was perceived with a camera matrix.
+/// Replaces `heights` by those of all percepts of an image with a camera matrix.
 void takeHeights(const CameraMatrix& matrix, const BallPercept& ball,
                  const LandmarksPercept& landmarks, const FieldDimensions& field,
                  std::vector<SeenHeight>& heights);

@@ -3,11 +3,12 @@
 
 namespace gt {
 
-/// Corrects tilt, roll and height of a camera matrix by what its own image shows, weighed against
-/// what the matrix tells of its errors.
+/// Corrects tilt, roll and height of a camera matrix by the percepts of its own image, weighted
+/// against the matrix's covariance.
 class TiltCorrection {
  public:
-  /// The matrix with which these percepts, made with `matrix`, are seen where they must be.
+  /// The corrected matrix, with which the percepts computed with `matrix` have the expected
+  /// elevations.
   const CameraMatrix& correct(const CameraMatrix& matrix, const BallPercept& ball,
                               const LandmarksPercept& landmarks, const FieldDimensions& field);
 

@@ -9,12 +9,12 @@
 
 namespace gt {
 
-/// A box that stands on the ground or above it, in the robot's system.
+/// An axis-parallel box on or above the ground, relative to the robot (mm).
 struct Box {
   Vector3d low, high;
   ColorClass color;
 
-  /// How far along a ray it is met; negative if not.
+  /// The distance along a ray at which it meets the box; negative if it does not.
   double meets(const Vector3d& from, const Vector3d& ray) const {
     double enter = 0, leave = 1e9;
     for (int k = 0; k < 3; ++k) {
@@ -27,7 +27,8 @@ struct Box {
   }
 };
 
-/// Carpet with white on it, boxes on it, and what GT2003 makes of its images.
+/// Test fixture: carpet with white lines and boxes on it, and the percepts of GT2003 from its
+/// images.
 class DrawnBoxes : public testing::Test {
  protected:
   static const Palette& palette() {

@@ -4,10 +4,10 @@
 #include "modules/perception/testing/DrawnField.h"
 
 namespace gt {
-/// A checkerboard that stands upright before the camera.
+/// A checkerboard that stands upright in front of the camera.
 struct DrawnCheckerboard {
   Checkerboard board;
-  /// The board stands at x = distance.
+  /// The color (Y, Cb, Cr) along a ray if the board stands at x = distance (mm).
   Vector3d colorAt(const Vector3d& ray, double distance) const {
     if (ray.x() <= 0) return fieldGreen;
     const double y = ray.y() / ray.x() * distance, z = 170 + ray.z() / ray.x() * distance;

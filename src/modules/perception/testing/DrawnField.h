@@ -11,7 +11,8 @@ namespace gt {
 /// The colors of a field by daylight.
 inline const Vector3d fieldGreen{77, 113, 82}, fieldWhite{230, 128, 128}, fieldBlack{16, 128, 128};
 
-/// Green ground with a white wall behind and lines across, as a camera sees it 170 mm above.
+/// The color along a ray of a camera 170 mm above green ground with lines across and a white wall
+/// behind.
 inline Vector3d fieldAt(const Vector3d& ray) {
   if (ray.z() >= -0.02) return ray.z() < 0.05 ? fieldWhite : fieldBlack;
   const double x = 170 * ray.x() / -ray.z();
@@ -43,7 +44,8 @@ struct DrawnField {
   explicit DrawnField(double tilt = -0.3, double roll = 0)
       : matrix{cameraAt({0, 0, 170}, 0, tilt, roll)} {}
 
-  /// In other light, each color is so much brighter and more colorful.
+  /// Draws an image in another light: `light` is the factor to brightness and saturation of each
+  /// color.
   void draw(const std::function<Vector3d(const Vector3d&)>& colorAlong, double light, double noise,
             Random& random) {
     drawImage(image, matrix, 3, noise, random,

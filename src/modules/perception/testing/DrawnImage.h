@@ -14,7 +14,7 @@ namespace gt {
 
 /// Images drawn by hand, for tests.
 
-/// A color (Y, Cb, Cr) as a camera measures it.
+/// The pixel that a camera measures for a color (Y, Cb, Cr), with Gaussian noise.
 inline Pixel pixelOf(const Vector3d& color, double noise, Random& random) {
   const auto byte = [&](double v) {
     return static_cast<std::uint8_t>(std::clamp(v + noise * random.gaussian() + 0.5, 0.0, 255.0));
@@ -22,8 +22,8 @@ inline Pixel pixelOf(const Vector3d& color, double noise, Random& random) {
   return {byte(color[0]), byte(color[1]), byte(color[2]), 0};
 }
 
-/// Draws what a camera sees: colorAlong gives the color in the direction of a ray in the robot's
-/// system; so many rays along each side of a pixel.
+/// Draws the image of a camera. colorAlong returns the color along a ray in the robot's system;
+/// `rays` is the number of rays along each side of a pixel.
 void drawImage(Image& image, const CameraMatrix& matrix, int rays, double noise, Random& random,
                auto&& colorAlong) {
   image.info = matrix.info;
@@ -38,7 +38,8 @@ void drawImage(Image& image, const CameraMatrix& matrix, int rays, double noise,
     }
 }
 
-/// A camera without a rolling shutter.
+/// The matrix of a camera without a rolling shutter, at a place (mm, relative to the robot); angles
+/// in rad.
 inline CameraMatrix cameraAt(const Vector3d& place, double pan, double tilt, double roll) {
   CameraMatrix matrix;
   matrix.pose.rotation = rotationZ(pan) * rotationY(-tilt) * rotationX(roll);
@@ -48,7 +49,7 @@ inline CameraMatrix cameraAt(const Vector3d& place, double pan, double tilt, dou
   return matrix;
 }
 
-/// The colors of color classes, and of what has none.
+/// The colors of color classes, and of pixels without a class.
 struct Palette {
   std::vector<std::pair<ColorClass, Pixel>> colors;
   Vector3d background;
@@ -58,7 +59,8 @@ struct Palette {
       if (name == c) return {double(p.y), double(p.cb), double(p.cr)};
     return background;
   }
-  /// Colors as near as this to one of the palette belong to it.
+  /// A color table in which colors nearer than `distance` to one of the palette belong to its
+  /// class.
   ColorTable64 table(double distance) const {
     ColorTable64 table;
     for (int y = 2; y < 256; y += 4)
@@ -73,11 +75,11 @@ struct Palette {
   }
 };
 
-/// What a processor finds in them.
+/// The percepts that a processor finds in drawn images.
 struct DrawnPercepts : FoundPercepts {
   Debug debug{1 << 16};
 
-  /// Has a processor look: update(image, matrix, colors..., percepts, debug).
+  /// Calls a processor: update(image, matrix, colors..., percepts, debug).
   void lookWith(auto& processor, const Image& image, const CameraMatrix& matrix,
                 const auto&... colorsAndField) {
     processor.update(image, matrix, colorsAndField..., *this, debug);

@@ -9,8 +9,8 @@
 
 namespace gt {
 
-/// A world in the robot's system made of one ball, one flag and one goal wall, and what GT2003
-/// makes of its images.
+/// Test fixture: one ball, one flag and one goal wall in the robot's system (mm), and the percepts
+/// of GT2003 from their images.
 class DrawnLandmarks : public testing::Test {
  protected:
   static const Palette& palette() {
@@ -29,7 +29,7 @@ class DrawnLandmarks : public testing::Test {
   std::optional<Vector3d> ball_;
   std::optional<Vector2d> flag_;
   FlagType flagType_ = FlagType::pinkAboveYellow;
-  std::optional<double> goal_;  ///< Its distance ahead.
+  std::optional<double> goal_;  ///< Distance of the goal ahead, mm.
 
   FieldDimensions field_;
   ColorTable64 colors_ = palette().table(28);

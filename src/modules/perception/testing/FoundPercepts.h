@@ -3,7 +3,7 @@
 
 namespace gt {
 
-/// What an image processor finds, for whoever calls one.
+/// Storage for the percepts of an image processor, for its caller.
 struct FoundPercepts {
   BallPercept ball;
   LandmarksPercept landmarks;

@@ -63,7 +63,7 @@ bool EnumerationInference::isKnown(std::string_view name) const {
          (registered_ && registered_->findEnumeration(std::string(name)));
 }
 
-/// The longest `name` such that all elements begin with `name.`; one that is known is preferred.
+/// The longest `name` such that all elements begin with `name.`; a known one is preferred.
 std::string EnumerationInference::inferredName(const std::vector<int>& mentions) const {
   if (mentions.empty()) return {};
   const std::string_view first = mentions_[at(mentions.front())].text;

@@ -12,9 +12,9 @@ namespace xabsl {
 
 class Symbols;
 
-/// Finds out which enumerations there are where only their use is known, as in intermediate code:
-/// what is compared or assigned belongs to the same domain, and a domain gets its name from a
-/// declaration, or from its elements, which are written `name.element`.
+/// Infers the enumerations from their use, as required for intermediate code: values that are
+/// compared or assigned belong to the same domain. A domain gets its name from a declaration, or
+/// from its elements, which are written `name.element`.
 class EnumerationInference {
  public:
   EnumerationInference(const Symbols* registered, Reporter& reporter)
@@ -23,26 +23,26 @@ class EnumerationInference {
   /// The domain of a name; a new one, if the name is new.
   int named(std::string_view name);
 
-  /// A domain of which nothing is known yet.
+  /// A new domain without a name.
   int fresh();
 
   /// Declares an enumeration with all its elements.
   int declare(std::string_view name, const std::vector<std::string_view>& elements,
               Location location);
 
-  /// From now on both are the same; false: they have different names.
+  /// Unites two domains. Returns false if they have different names.
   bool unite(int a, int b);
 
-  /// Notes that an element was written where a domain is expected; returns its number.
+  /// Records an element at a place where a domain is expected. Returns the number of the mention.
   int mention(int domain, std::string_view text, Location location);
 
-  /// Ends the inference: the enumerations of the model. Reports what is unknown.
+  /// Ends the inference and returns the enumerations of the model. Reports unknown ones.
   std::vector<Enumeration> resolve();
 
   /// After `resolve`: the enumeration of a domain.
   int enumeration(int domain);
 
-  /// After `resolve`: the element of its enumeration that was mentioned.
+  /// After `resolve`: the index of the mentioned element in its enumeration.
   int element(int mention) const { return mentions_[at(mention)].element; }
 
  private:

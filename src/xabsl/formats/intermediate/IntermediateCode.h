@@ -13,7 +13,8 @@ namespace xabsl {
 
 class Symbols;
 
-/// The result of writing intermediate code: the text, or what the dialect cannot express.
+/// The result of writing intermediate code: the text, or messages about constructs that the dialect
+/// cannot express.
 struct IntermediateCode {
   std::optional<std::string> text;
   std::vector<Diagnostic> diagnostics;
@@ -24,8 +25,8 @@ struct IntermediateCode {
 /// decision trees copied into each state, lines that end with CR LF.
 IntermediateCode writeIntermediateCode(const Model& model, Dialect dialect = Dialect::xabsl31);
 
-/// Writes the names of everything that debugging tools can ask for: enumerations, input and output
-/// symbols, options and basic behaviors with their parameters.
+/// Writes the names of all entities that debugging tools can request: enumerations, input and
+/// output symbols, options and basic behaviors with their parameters.
 std::string writeDebugSymbols(const Model& model);
 
 /// Reads intermediate code of XABSL 3.1 or 3.0, which it detects from the code. Intermediate code
@@ -34,7 +35,7 @@ std::string writeDebugSymbols(const Model& model);
 Compilation readIntermediateCode(const std::string& name, std::string_view text,
                                  const Symbols* registered = nullptr);
 
-/// The same from a file.
+/// Reads intermediate code from a file.
 Compilation loadIntermediateCode(const std::string& path, const Symbols* registered = nullptr);
 
 }  // namespace xabsl

@@ -10,12 +10,12 @@
 #include "xabsl/language/SourceFiles.h"
 #include "xabsl/language/Text.h"
 
-/// The part of the reader for expressions, and for what can be expressed at the end only.
+/// The part of the reader for expressions, and for the steps that are possible at the end only.
 namespace xabsl {
 
 namespace {
 
-/// The operator with a code, if its level is within these.
+/// The operator with a code, if its level is between `first` and `last`.
 std::optional<Operator> find(std::string_view code, Level first, Level last) {
   const OperatorSpelling* found = findOperator([&](const OperatorSpelling& one) {
     return one.code == code && one.level >= first && one.level <= last;
@@ -64,7 +64,7 @@ int IntermediateCodeReader::decimal(int depth) {
              token);
 }
 
-/// A named constant: only its value is known. It is kept with its digits.
+/// Reads a named constant, of which only the value is known; its digits are kept.
 int IntermediateCodeReader::constant(const Token& token) {
   take();
   const double value = number();
@@ -187,7 +187,7 @@ int IntermediateCodeReader::connection(Operator operation, const Token& token, i
   return add({.operation = operation, .b = first, .c = static_cast<int>(values.size())}, token);
 }
 
-/// Of elements of an enumeration.
+/// Reads a comparison of elements of an enumeration.
 int IntermediateCodeReader::comparison(const Token& token, int depth) {
   take();
   const Element left = element(depth + 1);
@@ -196,7 +196,7 @@ int IntermediateCodeReader::comparison(const Token& token, int depth) {
   return add({.operation = Operator::equal, .a = left.expression, .b = right.expression}, token);
 }
 
-/// Expressions begin with the default of each type, which were not known before.
+/// Inserts the default of each type, which were not known before, in front of the expressions.
 void IntermediateCodeReader::finish() {
   model_.enumerations = enumerations_.resolve();
   resolveTypes();

@@ -6,7 +6,7 @@
 #include "xabsl/language/Lexer.h"
 #include "xabsl/language/Text.h"
 
-/// The part of the reader for what is declared, and for options, states and actions.
+/// The part of the reader for declarations, options, states and actions.
 namespace xabsl {
 
 namespace {
@@ -86,7 +86,8 @@ std::string IntermediateCodeReader::name(const std::string& what) {
   return std::string(take().text);
 }
 
-/// No more things can follow than there are letters left: so a wrong number costs nothing.
+/// Reads a count. It cannot exceed the number of characters left, which protects against wrong
+/// counts.
 std::size_t IntermediateCodeReader::count(const std::string& what) {
   std::size_t count = 0;
   const char* end = token_.text.data() + token_.text.size();
@@ -320,8 +321,8 @@ void IntermediateCodeReader::assignment(Action& action) {
   action.operand = value.expression;
 }
 
-/// An input symbol, or an output or internal one; what is new is an input or output symbol of that
-/// type.
+/// Finds an input symbol, or an output or internal one; an unknown name becomes a new input or
+/// output symbol of that type.
 int IntermediateCodeReader::symbol(std::map<std::string, int, std::less<>>& table,
                                    SymbolKind symbolKind, const Token& token, ValueKind kind) {
   const auto found = table.find(token.text);
@@ -357,7 +358,7 @@ int IntermediateCodeReader::behavior(const Token& token) {
   return index;
 }
 
-/// Takes from what is registered what intermediate code does not contain.
+/// Completes a symbol by the registered information that intermediate code does not contain.
 void IntermediateCodeReader::completeInput(Symbol& symbol) {
   if (!registered_) return;
   const RegisteredFunction* known = symbol.kind == SymbolKind::input

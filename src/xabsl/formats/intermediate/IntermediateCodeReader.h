@@ -15,16 +15,16 @@ namespace xabsl {
 struct RegisteredFunction;
 class Symbols;
 
-/// Reads intermediate code of one dialect into a model. It ends at the first error.
+/// Reads intermediate code of one dialect into a model. Stops at the first error.
 class IntermediateCodeReader {
  public:
   IntermediateCodeReader(std::string_view text, Dialect dialect, const Symbols* registered,
                          Reporter& reporter);
 
-  /// The model; of use only if the reporter has not failed.
+  /// Returns the model, which is valid only if the reporter has not failed.
   Model read();
 
-  /// How far it came.
+  /// The place of the present token.
   Location location() const { return token_.location; }
 
  private:
@@ -35,7 +35,7 @@ class IntermediateCodeReader {
     Location location;
   };
 
-  /// A call whose parameters are not all known before the end: their operands are laid out then.
+  /// A call. Its operands are laid out at the end, when all parameters are known.
   struct Call {
     Action::Kind kind;  ///< assignment: of an input symbol
     int target;
@@ -43,7 +43,7 @@ class IntermediateCodeReader {
     std::vector<std::pair<int, int>> arguments;  ///< parameter, expression
   };
 
-  /// An expression of an enumeration, and the domain of that one.
+  /// An expression of an enumeration type, with the domain of the enumeration.
   struct Element {
     int expression;
     int domain;
@@ -112,7 +112,7 @@ class IntermediateCodeReader {
   std::size_t position_ = 0;
   Location location_;
   Token token_;
-  int option_ = -1;  ///< that is being read
+  int option_ = -1;  ///< the option that is being read
   std::map<std::string, int, std::less<>> inputs_;
   std::map<std::string, int, std::less<>> variables_;
   std::map<std::string, int, std::less<>> behaviors_;

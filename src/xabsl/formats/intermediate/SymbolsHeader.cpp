@@ -37,8 +37,8 @@ char changedCase(char c, bool upper) {
   return static_cast<char>(upper ? c & ~0x20 : c | 0x20);
 }
 
-/// `go_to.ball` as goToBall or GoToBall, `GO_LEFT` as goLeft or GoLeft. What C++ does not take in
-/// names is left out.
+/// `go_to.ball` as goToBall or GoToBall, `GO_LEFT` as goLeft or GoLeft. Characters that C++ does
+/// not allow in names are left out.
 std::string cppName(std::string_view name, bool upper) {
   std::string result;
   const bool shouts =
@@ -61,7 +61,7 @@ std::string cppName(std::string_view name, bool upper) {
   return result;
 }
 
-/// Names that stand beside one another, each once.
+/// Unique names within a scope.
 class Scope {
  public:
   Scope(std::initializer_list<std::string> known = {}) : known_(known) {}

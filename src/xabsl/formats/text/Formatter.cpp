@@ -11,7 +11,7 @@ namespace xabsl {
 
 namespace {
 
-/// A token or a comment, as it stands in the source.
+/// A token or a comment of the source.
 struct Piece {
   std::string_view text;
   bool comment = false;
@@ -65,7 +65,7 @@ std::vector<Piece> piecesOf(int file, std::string_view text, Reporter& reporter)
 
 constexpr std::string_view blanks = " \t";
 
-/// The column, from 0, at which a line's text begins behind such blanks. Tabs go to the next
+/// The column, from 0, at which a line's text begins behind leading blanks. Tabs go to the next
 /// multiple of 8.
 std::size_t widthOf(std::string_view leading, std::size_t width = 0) {
   constexpr std::size_t tab = 8;
@@ -73,8 +73,8 @@ std::size_t widthOf(std::string_view leading, std::size_t width = 0) {
   return width;
 }
 
-/// The lines of a block comment, moved as far as its first one was. `before` is what stands before
-/// the comment on its line in the source, `out` what stands before it now.
+/// The lines of a block comment, moved as far as its first line. `before` is the text before the
+/// comment on its line in the source, `out` the text before it now.
 std::string moved(std::string_view comment, std::string_view before, std::string_view out) {
   if (comment.find('\n') == comment.npos)
     return std::string(comment.substr(0, comment.find_last_not_of('\r') + 1));

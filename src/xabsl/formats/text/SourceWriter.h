@@ -14,14 +14,14 @@ namespace xabsl {
 struct Model;
 
 /// Writes a behavior as XABSL 3.1 text: a file for each namespace and each option, and one with the
-/// agents that includes them. Names that text does not allow get `_` for `-`; two that become the
-/// same are an error. The files are named relative to the folder of `root`, the file with the
-/// agents. Of use only if the reporter has not failed.
+/// agents that includes them. In names, `-` is replaced by `_`, because text does not allow it;
+/// names that become equal are an error. The files are named relative to the folder of `root`, the
+/// file with the agents. The result is valid only if the reporter has not failed.
 VirtualFiles writeText(const syntax::Program& program, const std::string& root, Reporter& reporter);
 
-/// Writes a valid behavior as XML of XABSL 2.1 or 3.1, from its syntax tree and the model of that.
-/// The files of 2.1 are laid out as in report F.1; what 2.1 cannot express is an error at its
-/// place. Those of 3.1 are laid out as by the public compilers: with folders Options, Symbols and
+/// Writes a valid behavior as XML of XABSL 2.1 or 3.1, from its syntax tree and its model. The
+/// files of 2.1 are laid out as in report F.1; constructs that 2.1 cannot express are reported as
+/// errors. Those of 3.1 are laid out as by the public compilers: with folders Options, Symbols and
 /// BasicBehaviors, and a file that names all entities.
 VirtualFiles writeXml(const syntax::Program& program, const Model& model, Dialect dialect,
                       const std::string& root, Reporter& reporter);
@@ -31,10 +31,10 @@ class LooseComments {
  public:
   explicit LooseComments(const syntax::Program& program);
 
-  /// Those of a file before a place that were not taken yet, without their marks.
+  /// Takes the comments of a file before a place that were not taken yet, without their marks.
   std::vector<std::string> before(Location place);
 
-  /// Those of all files that were not taken yet.
+  /// Takes the remaining comments of all files.
   std::vector<std::string> rest();
 
  private:
@@ -42,11 +42,11 @@ class LooseComments {
   std::vector<std::size_t> taken_;
 };
 
-/// Where what is declared in a file of the program is written: the folder of that file relative to
-/// the first one.
+/// The output folder of the declarations in a file of the program: the folder of that file relative
+/// to that of the first one.
 std::string folderOf(const syntax::Program& program, Location location);
 
-/// What stands in the namespaces of one name and kind, which become one file.
+/// The declarations in all namespaces of one name and kind, which become one file.
 struct Collection {
   using Member = std::variant<const syntax::Enumeration*, const syntax::Symbol*,
                               const syntax::Constant*, const syntax::Behavior*>;

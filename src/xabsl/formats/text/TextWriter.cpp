@@ -13,7 +13,8 @@ using namespace syntax;
 
 namespace {
 
-/// Text between marks that it must not hold, on one line.
+/// A text for a place between marks: on one line, with the closing mark replaced by another
+/// character.
 std::string enclosed(std::string_view text, char close) {
   std::string result(text);
   for (char& c : result) {

@@ -92,7 +92,7 @@ void XmlExpressionWriter::expression(const syntax::Expression& source) {
   }
 }
 
-/// What 2.1 does not have; empty if it has the expression.
+/// Names the construct of an expression that 2.1 does not have; empty if 2.1 has it.
 std::string_view XmlExpressionWriter::missingFor(const Expression& expression) const {
   switch (expression.operation) {
     case Operator::constant:
@@ -153,7 +153,7 @@ void XmlExpressionWriter::call(const std::string& element, const char* inner, st
   out_.close(element);
 }
 
-/// A number gets the sign itself, anything else is taken from 0.
+/// Writes the sign with a number; any other operand is subtracted from 0.
 void XmlExpressionWriter::negation(const syntax::Expression& source) {
   const syntax::Expression& operand = *source.operands.front();
   if (old_ && operand.kind == syntax::Expression::Kind::number)
@@ -186,7 +186,8 @@ void XmlExpressionWriter::operation(const syntax::Expression& source) {
   out_.close(element);
 }
 
-/// Enumerations are compared by an element of their own; in 2.1 an input symbol with an element.
+/// Enumerations are compared by a separate XML element; in 2.1 only an input symbol with an
+/// element.
 void XmlExpressionWriter::equality(const syntax::Expression& source, const std::string& element) {
   const Expression& left = resolved(*source.operands[0]);
   const Expression& right = resolved(*source.operands[1]);
@@ -208,7 +209,7 @@ void XmlExpressionWriter::equality(const syntax::Expression& source, const std::
   if (negated) out_.close("not");
 }
 
-/// In 3.1 `&&` below `&&` is one, and so is `||` below `||`.
+/// In 3.1 nested `&&` are merged into one, and so are nested `||`.
 void XmlExpressionWriter::operands(const syntax::Expression& source) {
   const bool connection =
       source.operation == Operator::logicalAnd || source.operation == Operator::logicalOr;

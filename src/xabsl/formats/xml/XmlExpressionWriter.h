@@ -14,8 +14,8 @@
 
 namespace xabsl {
 
-/// The part of the XML writer for expressions. Walks the syntax tree, which has the order and the
-/// spelling; the model has the types.
+/// The part of the XML writer for expressions. Traverses the syntax tree for order and spelling;
+/// types come from the model.
 class XmlExpressionWriter {
  protected:
   XmlExpressionWriter(const syntax::Program& program, const Model& model, Dialect dialect,
@@ -23,25 +23,26 @@ class XmlExpressionWriter {
       : program_(program), model_(model), reporter_(reporter), old_(dialect == Dialect::xabsl21) {}
 
   void expression(const syntax::Expression& source);
-  /// An element that refers to what has these parameters, with an `inner` one for each argument.
+  /// Writes an element that refers to an entity with parameters, with an `inner` element for each
+  /// argument.
   void call(const std::string& element, const char* inner, std::string_view name,
             const std::vector<Parameter>& parameters,
             const std::vector<syntax::Argument>& arguments);
 
-  /// The present option needs what is declared in a namespace.
+  /// Records that the present option uses declarations of a namespace.
   void use(int space, bool behaviors);
-  /// Reports what XABSL 2.1 cannot express, each once: actions common to all states are written in
-  /// each of them.
+  /// Reports a construct that XABSL 2.1 cannot express, each once, because actions common to all
+  /// states are written in each state.
   void refuse(Location location, const std::string& what);
   const Expression& resolved(const syntax::Expression& source) const {
     return model_.expressions[at(source.resolved)];
   }
 
-  /// What the names of elements about a type begin with.
+  /// The prefix of the names of XML elements for a type.
   static std::string kindOf(ValueKind kind);
   static std::string qualified(const syntax::Enumeration& enumeration, std::string_view element);
-  /// In 2.1, elements have the name of their enumeration before them, if it is not that of the
-  /// symbol: so symbols of one type are of one type again.
+  /// In 2.1, elements get the name of their enumeration as a prefix, if it differs from that of the
+  /// symbol, so that symbols of one type have one type again after reading.
   static std::string elementName(std::string_view symbol, const syntax::Enumeration& enumeration,
                                  std::string_view element);
   std::string elementName(std::string_view symbol, const Expression& element) const;
@@ -53,7 +54,8 @@ class XmlExpressionWriter {
   Reporter& reporter_;
   const bool old_;      ///< XABSL 2.1, otherwise 3.1
   xml::XmlOutput out_;  ///< of the present file
-  /// Namespaces that the present option uses, and whether their basic behaviors.
+  /// Namespaces that the present option uses; the second value: whether it uses their basic
+  /// behaviors.
   std::set<std::pair<std::string_view, bool>> used_;
 
  private:

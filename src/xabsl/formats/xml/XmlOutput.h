@@ -7,22 +7,22 @@
 
 namespace xabsl::xml {
 
-/// Text as it may stand in an attribute or an element.
+/// Text escaped for an attribute or an element.
 std::string escaped(std::string_view text);
 
 using Attributes = std::vector<std::pair<std::string_view, std::string>>;
 
-/// Writes elements and comments, each on a line of its own, indented by what is open.
+/// Writes elements and comments, each on a separate line, indented by the nesting depth.
 class XmlOutput {
  public:
   void open(std::string_view element, const Attributes& attributes = {});
   void close(std::string_view element);
   void empty(std::string_view element, const Attributes& attributes = {});
-  /// Two hyphens would end a comment; they are parted.
+  /// Writes a comment. Double hyphens, which would end it, are separated.
   void comment(std::string_view text);
-  /// As it is.
+  /// Writes a line unchanged.
   void line(std::string_view text);
-  /// All that was written; then nothing is.
+  /// Returns the text written so far and clears it.
   std::string take() { return std::exchange(text_, {}); }
 
  private:

@@ -6,8 +6,8 @@
 
 #include "xabsl/language/Text.h"
 
-/// What is declared: agents, symbols, basic behaviors and prototypes of options (report F.2 to F.4,
-/// F.10).
+/// The part of the parser for declarations: agents, symbols, basic behaviors and prototypes of
+/// options (report F.2 to F.4, F.10).
 namespace xabsl::xml {
 
 using namespace syntax;
@@ -30,7 +30,8 @@ bool isInternal(const Element& element) {
   return isTrue(element.attribute("internal"));
 }
 
-/// The same but for where it stands: so a collection may be written in several places.
+/// Whether two elements are equal except for their places, so that a collection may be written in
+/// several places.
 bool same(const Element& a, const Element& b) {
   if (a.kind != b.kind || a.name != b.name || a.text != b.text || a.file != b.file ||
       a.attributes.size() != b.attributes.size() || a.children.size() != b.children.size())
@@ -44,7 +45,7 @@ bool same(const Element& a, const Element& b) {
   return true;
 }
 
-/// What stands before the last point of all elements, or nothing.
+/// The common prefix of all elements before their last point, or nothing.
 std::string_view commonPrefix(const Enumeration& enumeration) {
   std::string_view prefix;
   for (const Name& element : enumeration.elements) {
@@ -56,7 +57,8 @@ std::string_view commonPrefix(const Enumeration& enumeration) {
   return prefix;
 }
 
-/// Whether an enumeration has the elements of another one, which bear its name before them or not.
+/// Whether an enumeration has the same elements as another one, with or without its name as a
+/// prefix.
 bool haveSameElements(const Enumeration& known, const Enumeration& other) {
   const std::string_view owner = known.name.text;
   return std::equal(known.elements.begin(), known.elements.end(), other.elements.begin(),
@@ -82,7 +84,7 @@ void Parser::parse() {
                                       inQuotes(root->name));
 }
 
-/// Comments are kept for those that write the program anew, as comments of XABSL text.
+/// Keeps comments, as comments of XABSL text, for tools that rewrite the program.
 void Parser::comments() {
   const auto add = [&](const auto& self, const std::vector<Element>& elements) -> void {
     for (const Element& element : elements) {
@@ -129,7 +131,8 @@ void Parser::collect(const Element& option) {
     if (isCollection(*element)) declare(*element);
 }
 
-/// Each option includes the same collections. They count once; two that differ are an error.
+/// Each option includes the same collections. Equal ones count once; different ones with the same
+/// key are an error.
 bool Parser::isNew(const Element& collection, const std::string& key) {
   const auto [known, added] = collections_.emplace(key, &collection);
   if (added || known->second == &collection || same(*known->second, collection)) return added;
@@ -160,7 +163,7 @@ void Parser::declare(const Element& collection) {
   for (const Element* element : elementsOf(collection)) behavior(*element, space);
 }
 
-/// The report asks for it, though everything works without.
+/// Warns if a file does not have the name that the report requires; everything works without it.
 void Parser::checkFileName(const Element& element, std::string_view name,
                            const std::string& attribute) {
   const File& file = files_[at(element.location.file)];
@@ -210,7 +213,7 @@ void Parser::symbol(const Element& element, int space) {
   program_.symbols.push_back(std::move(symbol));
 }
 
-/// The type that the name of an element begins with.
+/// The type given by the prefix of an element's name.
 TypeName Parser::type(const Element& element) {
   if (element.name.substr(0, booleanPrefix.size()) == booleanPrefix)
     return {ValueKind::boolean, {}};
@@ -231,9 +234,9 @@ void Parser::enumeration(const Element& element, int space) {
   program_.enumerations.push_back(std::move(enumeration));
 }
 
-/// In 2.1 each enumerated symbol has elements of its own. Their enumeration bears the name that
-/// stands before all of them (`op-mode.fast`), otherwise that of the symbol; symbols with the same
-/// elements share it.
+/// In 2.1 each enumerated symbol has separate elements. Their enumeration gets their common prefix
+/// as its name (`op-mode.fast`), otherwise the name of the symbol; symbols with the same elements
+/// share it.
 void Parser::enumeratedSymbol(const Element& element, int space) {
   auto enumeration = declared<Enumeration>(element, "name", space);
   enumeration.doc = {};
@@ -291,7 +294,7 @@ std::vector<Parameter> Parser::parameters(const Element& owner) {
   return parameters;
 }
 
-/// A decimal value; one below zero is a sign and a number, as in XABSL text.
+/// Reads a decimal value; a negative one becomes a sign and a number, as in XABSL text.
 ExpressionPtr Parser::number(const Element& element) {
   const Attribute* value = element.find("value");
   std::string_view digits = value->value;

@@ -12,9 +12,9 @@
 
 namespace xabsl::xml {
 
-/// Turns the files of a behavior in XABSL 2.1 or 3.1, which are valid by the schema, into the
-/// syntax tree (report F). Checks what a schema cannot: that references name what the file of the
-/// option includes, and that prototypes fit.
+/// Converts the files of a behavior in XABSL 2.1 or 3.1, which are valid by the schema, to the
+/// syntax tree (report F). Checks rules that a schema cannot express: references must name entities
+/// that the file of the option includes, and prototypes must match.
 class Parser {
  public:
   Parser(const Files& files, Reporter& reporter, syntax::Program& program);
@@ -40,7 +40,7 @@ class Parser {
   int enterNamespace(const Element& element, syntax::Namespace::Kind kind);
   void checkFileName(const Element& element, std::string_view name, const std::string& attribute);
   std::vector<syntax::Parameter> parameters(const Element& owner);
-  /// What all declarations have; `key` is the attribute with the name.
+  /// The common part of all declarations; `key` is the attribute with the name.
   template <typename Declared>
   static Declared declared(const Element& element, std::string_view key, int space = -1) {
     const Attribute* name = element.find(key);

@@ -7,7 +7,7 @@
 #include "xabsl/language/Parser.h"
 #include "xabsl/language/Text.h"
 
-/// Options: their states, decision trees and expressions (report F.5 to F.9).
+/// The part of the parser for options: states, decision trees and expressions (report F.5 to F.9).
 namespace xabsl::xml {
 
 using namespace syntax;
@@ -105,8 +105,8 @@ Cooperation Parser::cooperation(const Element& state) {
   return cooperation;
 }
 
-/// In 3.1 actions are executed as they stand. In 2.1 options further down may overwrite output
-/// symbols (F.6): so they are called last.
+/// In 3.1 actions are executed in their order. In 2.1 subsequent options may overwrite output
+/// symbols (F.6), so they are called last.
 void Parser::actions(const Element& parent, std::vector<Action>& actions) {
   std::vector<Action> last;
   for (const Element* child : elementsOf(parent)) {
@@ -168,7 +168,8 @@ std::vector<Argument> Parser::arguments(const Element& element) {
   return arguments;
 }
 
-/// The decision tree in an element; one without an end is that of all states (F.5).
+/// The decision tree in an element; one without a final decision is the common decision tree of all
+/// states (F.5).
 DecisionPtr Parser::statement(const Element& parent) {
   auto decision = std::make_unique<Decision>();
   decision->extent = {parent.location, parent.location};
@@ -222,7 +223,8 @@ ExpressionPtr Parser::expression(const Element& element) {
   return reference(element);
 }
 
-/// What is left refers to a symbol: `decimal-input-symbol-ref` to a `decimal-input-symbol`.
+/// All remaining elements refer to a symbol: `decimal-input-symbol-ref` to a
+/// `decimal-input-symbol`.
 ExpressionPtr Parser::reference(const Element& element) {
   constexpr std::string_view ending = "-ref";
   const std::string_view kind = element.name.substr(0, element.name.size() - ending.size());
@@ -233,7 +235,7 @@ ExpressionPtr Parser::reference(const Element& element) {
                : leaf(element, Expression::Kind::name, element.attribute("ref"));
 }
 
-/// Elements are a part of their enumeration, `ref` names both.
+/// Elements belong to their enumeration; `ref` names both.
 ExpressionPtr Parser::enumElement(const Element& element) {
   const std::string_view name = element.attribute("ref");
   if (notInputs_.count(name) == 0)
@@ -241,7 +243,8 @@ ExpressionPtr Parser::enumElement(const Element& element) {
   return leaf(element, Expression::Kind::name, name);
 }
 
-/// Text can only distinguish an input symbol from something else of its name by parentheses.
+/// XABSL text can distinguish an input symbol from another entity of the same name only by
+/// parentheses.
 ExpressionPtr Parser::inputSymbol(const Element& element) {
   const std::string_view name = element.attribute("ref");
   const bool shared = notInputs_.count(name) > 0;
@@ -300,7 +303,7 @@ void Parser::checkElement(const Element& element, const Element& symbol) {
         inQuotes(owner) + " has no element " + inQuotes(value) + suggestion.text());
 }
 
-/// What an element refers to, if the file of the option includes it.
+/// The entity to which an element refers, if the file of the option includes it.
 const Element* Parser::refer(const Element& element, std::string_view kind) {
   const std::string_view name = element.attribute("ref");
   const Element* other = nullptr;

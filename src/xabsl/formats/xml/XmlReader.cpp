@@ -34,7 +34,7 @@ std::string_view view(const xmlChar* text) {
   return text ? reinterpret_cast<const char*>(text) : std::string_view();
 }
 
-/// What people can do with, where libxml2 speaks of itself.
+/// A readable message in place of libxml2's internal ones.
 std::string readable(const xmlError& error) {
   if (error.code == XML_ERR_NAME_REQUIRED || error.code == XML_ERR_ENTITYREF_SEMICOL_MISSING)
     return "'&' begins the name of an entity, which ends with ';'; for the letter write '&amp;'";
@@ -74,7 +74,7 @@ class Lines {
   mutable int letters_ = 0;       // before it in its line
 };
 
-/// Reads one file with libxml2, and turns its tree into ours.
+/// Reads one file with libxml2 and converts its tree to ours.
 class Reader {
  public:
   Reader(int file, std::string_view text, Reporter& reporter, syntax::Program& program)

@@ -14,12 +14,12 @@ namespace xabsl::xml {
 /// True for the text of an XML file, false for XABSL text.
 bool isXml(std::string_view text);
 
-/// Converts the text of an XML file from the encoding that it declares to UTF-8; false: it cannot
-/// be done.
+/// Converts the text of an XML file from its declared encoding to UTF-8. Returns false if this is
+/// impossible.
 bool toUtf8(std::string& text);
 
-/// Reads one file, whose text is UTF-8 and known to the reporter by the index `index`. Nothing else
-/// is read: inclusions stay what they are. What is wrong is reported.
+/// Reads one file, whose text is UTF-8 and whose index in the reporter is `index`. Included files
+/// are not read. Errors are reported.
 void readElements(int index, std::string_view text, Reporter& reporter, syntax::Program& program,
                   File& file);
 

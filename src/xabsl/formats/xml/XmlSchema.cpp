@@ -49,7 +49,7 @@ void join(xmlNode& root, xmlDoc& joined) {
   }
 }
 
-/// All the schemas of a dialect as one, so that nothing is read from disk.
+/// All schemas of a dialect joined to one, so that nothing is read from disk.
 Document joinedSchema(Dialect dialect) {
   const bool old = dialect == Dialect::xabsl21;
   Document joined = parse(old ? schema::expressions() : schema::xabsl31());
@@ -66,7 +66,7 @@ Document joinedSchema(Dialect dialect) {
   return joined;
 }
 
-/// Without namespaces, line ends and full stops, which help nobody.
+/// Removes namespaces, line ends and full stops from a message.
 std::string withoutNamespaces(std::string_view message) {
   std::string text;
   while (!message.empty()) {
@@ -82,7 +82,8 @@ std::string withoutNamespaces(std::string_view message) {
   return text;
 }
 
-/// Sends elements to the validator of libxml2, one after another, and knows which one it is at.
+/// Sends elements to the validator of libxml2, one after another, and keeps track of the present
+/// one.
 class Validator {
  public:
   Validator(xmlSchema& schema, const Files& files, Reporter& reporter)

@@ -5,8 +5,8 @@
 
 namespace xabsl::xml {
 
-/// Validates files against the XML Schemas of their version of XABSL (report F.1): each by itself,
-/// then all as a whole. What is wrong is reported.
+/// Validates files against the XML Schemas of their version of XABSL (report F.1): each separately,
+/// then all as a whole. Errors are reported.
 void validate(const Files& files, Reporter& reporter);
 
 }  // namespace xabsl::xml

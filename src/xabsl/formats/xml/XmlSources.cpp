@@ -12,17 +12,17 @@ namespace xabsl::xml {
 
 namespace {
 
-// Of a behavior as a whole, with everything in its place.
+// Limit for a whole behavior, after all inclusions are expanded.
 constexpr std::size_t mostElementsInAll = 5'000'000;
 constexpr int deepest = 400;
 
-/// Where a file includes another one.
+/// The inclusion of a file by another one.
 struct Link {
   Element* place;
   int depth;
 };
 
-/// What a file consists of; without what it includes, until that is added.
+/// The size of a file; included files are added later.
 struct Outline {
   std::vector<Link> links;
   std::size_t elements = 0;

@@ -9,8 +9,8 @@
 namespace xabsl::xml {
 
 /// Reads a file and all that it includes by external entities and XInclude, each once (report F.1).
-/// Refused with a message: what is not a file in the folder of the first one or below it, circles,
-/// and what gets too large when all is in its place.
+/// Refuses with a message: files outside of the first one's folder, circular inclusions, and
+/// behaviors that are too large after expansion.
 Files readFiles(const std::string& path, SourceFiles sources, syntax::Program& program,
                 Reporter& reporter);
 

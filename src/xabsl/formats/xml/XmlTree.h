@@ -7,12 +7,12 @@
 #include "xabsl/language/Diagnostic.h"
 #include "xabsl/language/Language.h"
 
-/// Behaviors in XML as they stand in their files, before anything is known about their meaning.
-/// All texts are views into the pool of the program.
+/// The XML trees of a behavior's files, before their meaning is analyzed. All texts are views into
+/// the pool of the program.
 namespace xabsl::xml {
 
 constexpr std::string_view namespace21 = "http://www.ki.informatik.hu-berlin.de/XABSL2.1";
-/// Of the form into which the public compilers of XABSL 3 translate text.
+/// Namespace of the form into which the public compilers of XABSL 3 translate text.
 constexpr std::string_view namespace31 = "http://www.xabsl.de";
 
 constexpr std::string_view namespaceOf(Dialect dialect) {
@@ -31,12 +31,12 @@ struct Element {
 
   Kind kind = Kind::element;
   std::string_view name;
-  std::string_view text;     ///< what stands in an element or a comment; what an inclusion names
-  std::string_view doctype;  ///< of an entity: the file that declares it, if this one does not
+  std::string_view text;     ///< text of an element or a comment; file that an inclusion names
+  std::string_view doctype;  ///< of an entity: the file that declares it, if it is another one
   Location location;
   std::vector<Attribute> attributes;
   std::vector<Element> children;
-  int file = -1;  ///< what is included, an index into Files; -1: it cannot be read
+  int file = -1;  ///< the included file, an index into Files; -1: it cannot be read
 
   bool is(std::string_view expected) const { return kind == Kind::element && name == expected; }
 
@@ -52,18 +52,18 @@ struct Element {
   }
 };
 
-/// One file; in an external entity several elements may stand side by side.
+/// One file. An external entity may have several root elements.
 struct File {
   std::string path;
   std::vector<Element> roots;
   Dialect dialect = Dialect::xabsl21;  ///< by the namespace of its elements
 };
 
-/// All files of a behavior. The first one is that with the agents. No file includes itself.
+/// All files of a behavior. The first one is the file with the agents. No file includes itself.
 using Files = std::vector<File>;
 
-/// Which inclusions are followed: external entities are a part of their file, while XInclude joins
-/// files to a whole.
+/// The kinds of inclusions that are followed: external entities are a part of their file, XInclude
+/// joins files.
 enum class Follow { entities, everything };
 
 /// Calls `visit` for each element and comment of a list, those of included files in their place.

@@ -27,7 +27,7 @@ std::string entityDeclaration(const std::string& name, const std::string& path) 
   return "<!ENTITY " + name + " SYSTEM \"" + escaped(path) + "\">\n";
 }
 
-/// Of the file with the definitions of all options.
+/// The declaration of the file with the definitions of all options.
 std::string optionsDeclaration() {
   return entityDeclaration(optionsEntity, optionsFile);
 }
@@ -39,7 +39,7 @@ bool stays(const syntax::Decision& decision) {
          (decision.otherwise && stays(*decision.otherwise));
 }
 
-/// Writes the files of a behavior: what is declared, options, states, decisions and actions.
+/// Writes the files of a behavior: declarations, options, states, decisions and actions.
 class XmlWriter : XmlExpressionWriter {
  public:
   XmlWriter(const syntax::Program& program, const Model& model, Dialect dialect, Reporter& reporter)

@@ -10,7 +10,7 @@ namespace xabsl::documentation {
 
 namespace {
 
-/// A string of Graphviz's language, in which labels know entities, and lines end with `\l`.
+/// A string of Graphviz's language, in which labels may contain entities, and lines end with `\l`.
 std::string inGraph(std::string_view text) {
   std::string result = "\"";
   for (const char c : escaped(text)) {
@@ -64,7 +64,7 @@ class Graph {
   std::size_t size_ = 0;
 };
 
-/// Attributes of what leads to a page: the address and what is shown under the mouse.
+/// Attributes of a node or edge that links to a page: the address and the tooltip.
 std::string linked(const std::string& address, const std::string& tooltip) {
   return ", URL=" + inGraph(address) + ", tooltip=" + inGraph(tooltip.empty() ? " " : tooltip);
 }

@@ -10,7 +10,7 @@
 namespace xabsl::documentation {
 
 /// A chart for each agent, option, common decision tree and state, by their indices in the model;
-/// first in Graphviz's language, then as SVG. An empty text: there is none to draw.
+/// first in Graphviz's language, then as SVG. An empty text means that there is no chart.
 struct Charts {
   std::vector<std::string> agents;           ///< option graphs
   std::vector<std::string> options;          ///< states, transitions, and what they call
@@ -25,7 +25,7 @@ struct Charts {
   }
 };
 
-/// The charts in Graphviz's language. Charts that nobody could read, with thousands of nodes, are
+/// The charts in Graphviz's language. Charts with thousands of nodes, which nobody could read, are
 /// left out.
 Charts describeCharts(const Model& model, const Usage& usage, const Links& links);
 

@@ -9,9 +9,9 @@
 namespace xabsl {
 
 /// Writes pages about a behavior into a folder, `index.html` first (report G): charts of agents,
-/// options and decision trees, what each option reads and writes, who uses each symbol. They need
-/// neither a network nor a server, and the same behavior gives the same files. Charts are drawn by
-/// Graphviz. Returns what went wrong.
+/// options and decision trees, what each option reads and writes, which options use each symbol.
+/// The pages need neither a network nor a server, and the same behavior yields the same files.
+/// Charts are drawn by Graphviz. Returns the error, if there is one.
 std::optional<Diagnostic> writeDocumentation(const Model& model, const std::string& folder);
 
 }  // namespace xabsl

@@ -15,8 +15,8 @@ namespace xabsl::documentation {
 
 namespace {
 
-/// Runs dot without a shell between; true if it succeeded. Of several graphs in a file it writes
-/// only the first to the file of `-o`, so its output is redirected.
+/// Runs dot without a shell; true if it succeeded. Of several graphs in a file it writes only the
+/// first to the file of `-o`, so its output is redirected.
 bool runDot(std::string source, const std::string& drawing) {
   std::string program = "dot", format = "-Tsvg";
   const std::array<char*, 4> arguments = {program.data(), format.data(), source.data(), nullptr};
@@ -33,7 +33,7 @@ bool runDot(std::string source, const std::string& drawing) {
   return spawned == 0 && waitpid(child, &status, 0) == child && status == 0;
 }
 
-/// The next SVG element of dot's output, taken from its beginning.
+/// Removes the next SVG element from the beginning of dot's output and returns it.
 std::string_view nextDrawing(std::string_view& text) {
   constexpr std::string_view close = "</svg>";
   const std::size_t begin = text.find("<svg"), end = text.find(close);
@@ -43,7 +43,7 @@ std::string_view nextDrawing(std::string_view& text) {
   return drawing;
 }
 
-/// Leaves out what is between two marks, which may stand in a text many times.
+/// Removes all parts of a text between two marks, which may occur many times.
 std::string without(std::string_view text, std::string_view begin, std::string_view end) {
   std::string result;
   for (;;) {
@@ -56,7 +56,7 @@ std::string without(std::string_view text, std::string_view begin, std::string_v
   }
 }
 
-/// Identifiers and titles are of no use in a page, which has several charts.
+/// Removes identifiers and titles, which are useless in a page with several charts.
 std::string forPage(std::string_view drawing) {
   return without(without(without(drawing, "<!--", "-->\n"), "<title>", "</title>\n"), " id=\"",
                  "\"");

@@ -6,9 +6,9 @@
 
 namespace xabsl::documentation {
 
-/// Draws graphs in Graphviz's language, all with one run of its program `dot`, and puts in the
-/// place of each one an `<svg>` element to stand in a page; empty ones stay empty. Files that this
-/// needs for a while lie in the folder. Returns why it cannot.
+/// Draws graphs in Graphviz's language, all with one run of its program `dot`, and replaces each by
+/// an `<svg>` element for a page; empty ones stay empty. Temporary files are in the folder. Returns
+/// the reason if it fails.
 std::optional<std::string> draw(const std::vector<std::string*>& graphs, const std::string& folder);
 
 }  // namespace xabsl::documentation

@@ -8,7 +8,7 @@ namespace xabsl::documentation {
 
 namespace {
 
-/// A page's name. Long ones are cut, and distinguished by the index.
+/// The name of a page. Long names are cut and distinguished by the index.
 std::string page(const std::string& kind, const std::string& name, int index) {
   constexpr std::size_t longest = 100;
   std::string encodedName = encoded(name);

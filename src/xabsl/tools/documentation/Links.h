@@ -9,8 +9,8 @@
 
 namespace xabsl::documentation {
 
-/// Where in the documentation everything has its place: the names of the pages, and within them the
-/// fragments behind `#`.
+/// The addresses of all entities in the documentation: the names of the pages, and the fragments
+/// behind `#` within them.
 class Links {
  public:
   explicit Links(const Model& model);
@@ -19,7 +19,7 @@ class Links {
   std::string option(int option) const;
   std::string state(int state) const;
   std::string commonDecision(int option) const;
-  /// Namespace -1 holds what is declared in none.
+  /// Namespace -1 contains the declarations outside of namespaces.
   std::string space(int space) const;
   std::string symbol(int symbol) const;
   std::string constant(int constant) const;
@@ -30,10 +30,10 @@ class Links {
   /// The option that a state belongs to.
   int optionOf(int state) const { return optionOfState_[at(state)]; }
 
-  /// What the fragment of a symbol begins with: an input and an output may have the same name.
+  /// The beginning of a symbol's fragment, because an input and an output may have the same name.
   static std::string_view kindOf(const Symbol& symbol);
 
-  /// `#kind-name`, without the `#`; an identifier of HTML as well.
+  /// `#kind-name`, without the `#`; also the identifier in HTML.
   static std::string fragment(std::string_view kind, std::string_view name);
 
  private:

@@ -1,8 +1,8 @@
 #include "xabsl/tools/documentation/Html.h"
 #include "xabsl/tools/documentation/Pages.h"
 
-/// The page of a namespace: symbols, constants, enumerations and basic behaviors, and who uses
-/// them.
+/// The page of a namespace: symbols, constants, enumerations and basic behaviors, and the options
+/// that use them.
 namespace xabsl::documentation {
 
 namespace {

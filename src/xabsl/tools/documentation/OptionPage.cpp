@@ -60,7 +60,7 @@ std::string stateSection(const Content& content, const Option& option, int index
          "</section>\n";
 }
 
-/// `begin, going_on` with links; or that all do.
+/// The names of states with links, as in `begin, going_on`; or a text for all states.
 std::string stateNames(const Content& content, const std::vector<int>& states) {
   std::string text;
   for (const int state : states) {
@@ -71,7 +71,7 @@ std::string stateNames(const Content& content, const std::vector<int>& states) {
   return text;
 }
 
-/// The options called here that use something themselves or through others.
+/// The options called by an option that use something themselves or through others.
 std::string throughOptions(const Content& content, int option, const Thing& thing) {
   std::string text;
   for (const auto& [callee, states] : content.usage.direct(option)) {
@@ -84,7 +84,7 @@ std::string throughOptions(const Content& content, int option, const Thing& thin
   return text;
 }
 
-/// A table of the things of one kind that an option uses, itself and through its subsequent
+/// A table of the things of one kind that an option uses, directly and through its subsequent
 /// options.
 template <typename Describe>
 std::string useTable(const Content& content, int option, Thing::Kind kind,

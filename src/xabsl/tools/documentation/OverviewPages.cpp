@@ -2,7 +2,7 @@
 #include "xabsl/tools/documentation/Html.h"
 #include "xabsl/tools/documentation/Pages.h"
 
-/// The first page, the pages of the agents, and what the search field finds.
+/// The first page, the pages of the agents, and the entries of the search field.
 namespace xabsl::documentation {
 
 namespace {

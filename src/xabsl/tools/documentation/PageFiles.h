@@ -1,7 +1,7 @@
 #pragma once
 #include <string_view>
 
-/// The files beside the pages, embedded when the program is built.
+/// The style sheet and the script of the pages, embedded when the program is built.
 namespace xabsl::documentation {
 
 std::string_view style();

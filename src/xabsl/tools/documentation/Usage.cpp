@@ -61,7 +61,7 @@ void Usage::collect(Span actions, Place place) {
   }
 }
 
-/// What was not set has its default, which is no use of anything.
+/// Collects the operands that were set; the defaults of others are no use of anything.
 void Usage::collectOperands(int first, std::size_t count, Place place) {
   for (const int parameter : model_.setParameters(first, count))
     collectExpression(model_.operands[at(first + parameter)], place);
@@ -98,7 +98,7 @@ void Usage::collectExpression(int index, Place place) {
   }
 }
 
-/// Options form a graph without cycles, of a bounded depth.
+/// Recursive: options form a graph without cycles and with bounded depth.
 const std::set<Thing>& Usage::close(int option) {
   std::set<Thing>& all = all_[at(option)];
   if (!all.empty()) return all;

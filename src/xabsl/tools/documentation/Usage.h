@@ -9,7 +9,7 @@
 
 namespace xabsl::documentation {
 
-/// Something that options use: an index into a list of the model, `kind` states which.
+/// An entity that options use: an index into the list of the model that `kind` selects.
 struct Thing {
   enum class Kind {
     read,
@@ -18,7 +18,7 @@ struct Thing {
     behavior,
     constant,
     element
-  };  ///< the first two: symbols
+  };  ///< read, written: symbols
 
   Kind kind = Kind::read;
   int index = -1;
@@ -27,7 +27,7 @@ struct Thing {
   auto operator<=>(const Thing&) const = default;
 };
 
-/// What an action calls or sets.
+/// The entity that an action calls or sets.
 inline Thing thingOf(const Action& action) {
   using Kind = Action::Kind;
   return {action.kind == Kind::assignment ? Thing::Kind::written
@@ -36,7 +36,7 @@ inline Thing thingOf(const Action& action) {
           action.target};
 }
 
-/// A state that uses something; -1: all states of the option do, by its common decision tree or
+/// A state that uses something; -1: all states of the option, by its common decision tree or
 /// actions.
 struct Place {
   int option = -1;
@@ -45,15 +45,15 @@ struct Place {
   auto operator<=>(const Place&) const = default;
 };
 
-/// Who uses what in a behavior.
+/// The usage of entities by the options of a behavior.
 class Usage {
  public:
   explicit Usage(const Model& model);
 
-  /// What an option itself uses, with the states that do.
+  /// The entities that an option uses directly, with the states that use them.
   const std::map<Thing, std::vector<int>>& direct(int option) const;
 
-  /// All that an option uses, itself or through the options that it calls.
+  /// All entities that an option uses, directly or through the options that it calls.
   const std::set<Thing>& all(int option) const;
 
   /// The places that use something, in the order of the model.

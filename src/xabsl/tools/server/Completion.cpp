@@ -11,7 +11,8 @@ namespace xabsl::server {
 
 namespace {
 
-/// The tokens before a place, without the word that is being written there, and what they open.
+/// The tokens before a place, without the word that is being written there, and the brackets and
+/// blocks that they open.
 class Context {
  public:
   Context(std::string_view text, std::size_t offset) {
@@ -113,7 +114,7 @@ class Context {
   bool writesParameter_ = false;
 };
 
-/// The parameters of what is called by a name, and its documentation; null: there is none.
+/// The parameters and the documentation of the entity called by a name; null if there is none.
 std::pair<const std::vector<Parameter>*, std::string> parametersOf(const Model& model,
                                                                    std::string_view name) {
   for (const Option& option : model.options)

@@ -7,7 +7,7 @@ namespace {
 
 using Kind = Entity::Kind;
 
-/// An element of a list, or null: after errors lists may be shorter than what is referred to.
+/// An element of a list, or null if the index is out of range, which is possible after errors.
 template <typename List>
 auto find(const List& list, int index) -> decltype(list.data()) {
   return index >= 0 && static_cast<std::size_t>(index) < list.size() ? &list[at(index)] : nullptr;
@@ -35,7 +35,7 @@ const std::vector<Parameter>* ownersParameters(const Model& model, const Entity&
   return nullptr;
 }
 
-/// What is shown of something: its declaration and its documentation.
+/// The description of an entity: its declaration and its documentation.
 struct About {
   std::string signature;
   std::string doc;

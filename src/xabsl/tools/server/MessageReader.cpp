@@ -7,7 +7,7 @@ namespace xabsl::server {
 
 namespace {
 
-/// The number behind `Content-Length:` in a header, in any spelling of its letters.
+/// The number behind `Content-Length:` in a header, without regard to case.
 std::optional<std::size_t> lengthOf(std::string_view header) {
   constexpr std::string_view key = "content-length:";
   while (!header.empty()) {

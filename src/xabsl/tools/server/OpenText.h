@@ -7,12 +7,12 @@
 #include "base/ParseJson.h"
 #include "xabsl/tools/server/Server.h"
 
-/// For tests of what a server answers about one text.
+/// For tests of the answers of a server about one text.
 namespace xabsl::server {
 
 using OutlineJson = nlohmann::json;
 
-/// One declaration a line, so that a broken line takes one at most.
+/// One declaration per line, so that a broken line affects at most one.
 inline const std::string typedText = R"(/** Of the ball. */
 namespace ball("Ball") {
   enum ball.color { orange, white };

@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// The SymbolKind of what an element of XML declares; empty: nothing.
+/// The SymbolKind of the declaration in an XML element; empty if it declares nothing.
 std::optional<int> symbolKindOf(std::string_view element) {
   if (element == "option") return 5;
   if (element == "state") return 24;
@@ -30,7 +30,8 @@ std::optional<int> symbolKindOf(std::string_view element) {
   return std::nullopt;
 }
 
-/// The outline of a behavior in XML, by its tags: they show more than its elements while one types.
+/// The outline of a behavior in XML, by its tags, which show more than its elements while the text
+/// is being typed.
 Json outlineOfXml(std::string_view text) {
   const Lines lines{text};
   const std::vector<ScannedElement> elements = scanXml(text).elements;
@@ -77,7 +78,7 @@ class Folds {
   Json all_ = Json::array();
 };
 
-/// Lines of a kind that follow each other fold together.
+/// Folds consecutive lines of one kind together.
 class Run {
  public:
   Run(Folds& folds, const char* kind) : folds_(folds), kind_(kind) {}
@@ -97,7 +98,7 @@ class Run {
   int first_ = 0, last_ = -2;
 };
 
-/// Blocks without the line that ends them, comments, and what is included.
+/// The folds of blocks without their last line, of comments, and of includes.
 Json foldsOfText(const std::string& text) {
   using Kind = syntax::Comment::Kind;
   const Lines lines{text};

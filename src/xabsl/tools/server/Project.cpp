@@ -11,7 +11,7 @@ namespace xabsl::server {
 
 namespace {
 
-/// Units of UTF-16 of the letter that begins with a byte.
+/// The number of UTF-16 units of the character that begins with a byte.
 int unitsOf(char c) {
   return static_cast<unsigned char>(c) >= 0xF0u ? 2 : 1;
 }
@@ -44,7 +44,7 @@ Lines::Count Lines::countBefore(std::size_t offset) const {
   return count;
 }
 
-/// The byte where a letter begins, counted from 0 over the whole text.
+/// The byte at which a character begins, counted from 0 over the whole text.
 std::size_t Lines::offsetOfLetter(int letter) const {
   const auto next = std::ranges::upper_bound(counts_, letter, {}, &Count::letters);
   const auto block = static_cast<std::size_t>(next - counts_.begin()) - 1;

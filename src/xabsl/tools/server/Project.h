@@ -15,19 +15,20 @@
 
 namespace xabsl::server {
 
-/// A place as editors count: lines and units of UTF-16 from 0.
+/// A place as editors count it: lines and units of UTF-16 from 0.
 struct Position {
   int line = 0;
   int character = 0;
 };
 
-/// Finds lines in a text, and turns columns of letters into those of editors and back.
+/// Finds lines in a text, and converts columns of characters to those of editors and back.
 class Lines {
  public:
   explicit Lines(std::string_view text);
 
   std::string_view line(int line) const;
-  /// Of a letter, or of a byte of the text: fast, also in a text that is one long line.
+  /// The position of a character, or of a byte of the text. Fast, also in a text that is one long
+  /// line.
   Position position(Location location) const;
   Position position(std::size_t offset) const;
   Location location(Position position, int file) const;
@@ -36,7 +37,7 @@ class Lines {
   Position end() const;
 
  private:
-  /// What stands before a byte of the text.
+  /// Numbers of letters and units before a byte of the text.
   struct Count {
     int letters = 0, units = 0;
     void add(char c);
@@ -47,10 +48,10 @@ class Lines {
 
   std::string_view text_;
   std::vector<std::size_t> begins_;
-  std::vector<Count> counts_;  ///< each so many bytes
+  std::vector<Count> counts_;  ///< at regular intervals of bytes
 };
 
-/// A behavior, analyzed as far as it is sound, with all that editors ask about it.
+/// A behavior, analyzed as far as it has no errors, with all information that editors request.
 class Project {
  public:
   /// Reads the file with the agents and all that it includes.
@@ -67,13 +68,14 @@ class Project {
   /// The index of a file, or -1.
   int file(const std::string& path) const;
 
-  /// What stands at a place; null: nothing that has a name.
+  /// The name at a place; null if there is none.
   const Reference* at(Location location) const;
 
-  /// Whether the mark of a parameter, `@`, stands before a name. It is a part of the name's place.
+  /// Whether a name has the mark of a parameter, `@`, before it. The mark is a part of the name's
+  /// place.
   bool isMarked(const Reference& reference) const;
 
-  /// Where something is declared, or null.
+  /// The declaration of an entity, or null.
   const Reference* declaration(const Entity& entity) const;
 
  private:
@@ -86,13 +88,13 @@ class Project {
   bool failed_ = false;
 };
 
-/// What hovering over something shows, as Markdown.
+/// The text for hovering over an entity, as Markdown.
 std::string describeEntity(const Project& project, const Entity& entity);
 
-/// `float input ball.x [0..1] "mm"`, on one line.
+/// The declaration of an entity on one line, as in `float input ball.x [0..1] "mm"`.
 std::string signatureOf(const Project& project, const Entity& entity);
 
-/// One thing that may be written at a place.
+/// One proposal for completion.
 struct Completion {
   enum class Kind {
     keyword,
@@ -113,14 +115,14 @@ struct Completion {
   std::string doc;
 };
 
-/// What may be written at a byte of a text, which may be broken there. The project knows what is
-/// declared elsewhere.
+/// The proposals for completion at a byte of a text, which may have errors there. The project
+/// provides the declarations of other files.
 std::vector<Completion> complete(const Project& project, std::string_view text, std::size_t offset);
 
-/// How something is called, with the parameter that is being set.
+/// The signature of a call, with the parameter that is being set.
 struct Signature {
   struct Parameter {
-    std::string label;  ///< a part of that of the whole: `float speed`
+    std::string label;  ///< a part of the whole label: `float speed`
     std::string doc;
   };
 
@@ -130,7 +132,7 @@ struct Signature {
   int active = 0;
 };
 
-/// What is called around a byte of a text; nothing outside of the parentheses of calls.
+/// The signature of the call around a byte of a text; nothing outside of the parentheses of calls.
 std::optional<Signature> signatureAt(const Project& project, std::string_view text,
                                      std::size_t offset);
 

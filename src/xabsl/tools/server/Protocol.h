@@ -24,7 +24,7 @@ inline nlohmann::json range(Position begin, Position end) {
   return {{"start", json(begin)}, {"end", json(end)}};
 }
 
-/// What the numbers of semantic tokens mean.
+/// The legend of the numbers of semantic tokens.
 nlohmann::json semanticLegend();
 
 }  // namespace xabsl::server

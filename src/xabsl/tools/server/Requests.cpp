@@ -40,7 +40,7 @@ int kindOf(Completion::Kind kind) {  // CompletionItemKind
 
 }  // namespace
 
-/// Where a request points: the project, and what is named there, if anything is.
+/// The place of a request: the project, and the name there, if there is one.
 struct Server::Place {
   Project& project;
   const Reference* reference;
@@ -150,8 +150,8 @@ Json Server::prepareRename(const Json& parameters) {
   return range;
 }
 
-/// All places at once, and only where all of them are known: in a behavior without errors that has
-/// none after it either.
+/// Renames all places at once, and only if all of them are known: the behavior must have no errors
+/// before and after it.
 Json Server::rename(const Json& parameters) {
   const Place place = placeOf(parameters);
   std::string name = parameters.at("newName").get<std::string>();

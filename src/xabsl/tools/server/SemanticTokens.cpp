@@ -13,7 +13,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// Types and modifiers of LSP, as editors know them without being told.
+/// Standard types and modifiers of LSP, which editors support without configuration.
 constexpr std::array<std::string_view, 9> tokenTypes = {"namespace", "enum",     "enumMember",
                                                         "variable",  "function", "class",
                                                         "event",     "type",     "parameter"};
@@ -44,7 +44,7 @@ std::string_view tokenTypeOf(Entity::Kind kind) {
   }
 }
 
-/// Constants and what the surroundings provide.
+/// Whether a behavior cannot set an entity: it is a constant or an input symbol.
 bool cannotBeSet(const Project& project, const Entity& entity) {
   if (entity.kind == Entity::Kind::constant) return true;
   const auto& symbols = project.program().symbols;
@@ -58,7 +58,7 @@ Json semanticLegend() {
   return {{"tokenTypes", tokenTypes}, {"tokenModifiers", tokenModifiers}};
 }
 
-/// What each name stands for, which words alone do not tell; five numbers a name.
+/// Returns the meaning of each name, which its spelling does not show; five numbers per name.
 Json Server::semanticTokens(const Json& parameters) {
   const std::string path = pathOf(parameters.at("textDocument").at("uri").get<std::string>());
   const Project& project = projectOf(path);

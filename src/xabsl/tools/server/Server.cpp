@@ -19,13 +19,13 @@ namespace {
 
 constexpr std::size_t mostDocuments = 1000;
 
-/// Whether a text is XML of another language, about which nothing is reported.
+/// Whether a text is XML of another language, for which nothing is reported.
 bool isForeign(const std::string& text) {
   return xml::isXml(text) && text.find(xml::namespace21) == std::string::npos &&
          text.find(xml::namespace31) == std::string::npos;
 }
 
-/// The end of the word at a place, for what is underlined.
+/// The end of the word at a place, for underlining.
 Location wordEnd(std::string_view line, Location location) {
   std::size_t i = 0;
   int column = 1;
@@ -168,7 +168,7 @@ void Server::open(const std::string& uri, const std::string& text) {
   changed_ = true;
 }
 
-/// Each change is one of a range of what the one before left, or a whole new text.
+/// Each change replaces a range of the text that results from the change before, or the whole text.
 void Server::change(const std::string& uri, const Json& changes) {
   const auto known = documents_.find(pathOf(uri));
   std::optional<std::string> text;
@@ -207,8 +207,8 @@ FileReader Server::reader() const {
   };
 }
 
-/// The file with the agents that a file belongs to, within the workspace. A file that belongs to
-/// none stands for itself.
+/// The file with the agents that includes a file, within the workspace; the file itself if there is
+/// none.
 std::string Server::rootOf(const std::string& path) {
   const auto [known, isNew] = roots_.try_emplace(path);
   if (isNew) {
@@ -218,7 +218,7 @@ std::string Server::rootOf(const std::string& path) {
   return known->second;
 }
 
-/// Whether a file is one of a behavior: XML may be anything.
+/// Whether a file belongs to a behavior, because XML may be in any language.
 bool Server::isOfBehavior(const std::string& path, const std::string& text) {
   return !isForeign(text) || rootOf(path) != path;
 }

@@ -16,14 +16,14 @@
 
 namespace xabsl::server {
 
-/// What a server sees of the disk.
+/// The functions by which a server accesses the disk.
 struct Disk {
   FileReader read;
   FolderLister sources;
 };
 
-/// A language server for XABSL (LSP 3.17): takes the messages of an editor one after another, and
-/// sends its own. Files that are open in the editor count as they are there.
+/// A language server for XABSL (LSP 3.17): handles the messages of an editor one after another, and
+/// sends its own. For files that are open in the editor, the editor's text is used.
 class Server {
  public:
   using Send = std::function<void(const std::string& message)>;
@@ -31,16 +31,17 @@ class Server {
   Server(Disk disk, Send send);
   ~Server();
 
-  /// Takes a message. Whatever is in it, it is answered, or put aside.
+  /// Handles a message. Any message is answered or ignored.
   void handle(std::string_view message);
 
-  /// Publishes the diagnostics of what has changed; called when no message waits.
+  /// Publishes the diagnostics of changed files; called when no message is pending.
   void publish();
 
   bool ended() const { return ended_; }
-  /// The process of the editor, if it told it: when it is gone, nobody will end the session.
+  /// The process of the editor, if the editor has sent it. If the process has ended, nobody will
+  /// end the session.
   std::optional<std::int64_t> editor() const { return editor_; }
-  /// What the program should end with: 0 after an orderly shutdown.
+  /// The exit status of the program: 0 after an orderly shutdown.
   int status() const { return shutDown_ ? 0 : 1; }
 
  private:

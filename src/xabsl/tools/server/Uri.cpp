@@ -7,7 +7,7 @@ namespace xabsl::server {
 
 namespace {
 
-/// Takes a prefix off a text, whatever the case of its letters.
+/// Removes a prefix from a text, without regard to case.
 bool take(std::string_view& text, std::string_view prefix) {
   if (text.size() < prefix.size()) return false;
   for (std::size_t i = 0; i < prefix.size(); ++i)
@@ -17,7 +17,7 @@ bool take(std::string_view& text, std::string_view prefix) {
   return true;
 }
 
-/// Without what makes two spellings of one place differ.
+/// The normalized path, which is the same for all spellings of a place.
 std::string normal(const std::string& path) {
   return std::filesystem::path(path).lexically_normal().generic_string();
 }

@@ -4,8 +4,8 @@
 
 namespace xabsl::server {
 
-/// The path of a file's URI, without its escapes; what is none stays, but for its dots and slashes:
-/// the same for all spellings of a place.
+/// The path of a file's URI, without escapes and normalized, so that all spellings of a place are
+/// equal. A text that is no URI is only normalized.
 std::string pathOf(const std::string& uri);
 
 /// The URI of a file.

@@ -12,8 +12,8 @@ namespace {
 constexpr std::size_t mostScannedElements = 300'000;
 constexpr std::size_t deepestElement = 400;  // what is below has no entry of its own
 
-/// How far out an element of XABSL may stand: one ends those of its rank and of higher ones that
-/// are still open. 0: anywhere.
+/// The rank of an element of XABSL by its nesting: an element ends open ones of its own and of
+/// higher rank. 0: anywhere.
 int rankOf(std::string_view name) {
   if (name == "option") return 1;
   if (name == "symbols" || name == "basic-behaviors" || name == "option-definitions" ||

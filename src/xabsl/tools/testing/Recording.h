@@ -9,26 +9,26 @@
 
 namespace xabsl {
 
-/// The inputs that a trace recorded, cycle by cycle, for a behavior that may be another one:
-/// symbols are found by name, and elements have their indices as values.
+/// The inputs recorded in a trace, cycle by cycle, for a behavior that may differ from the recorded
+/// one: symbols are found by name, and the values of elements are their indices.
 class Recording {
  public:
   Recording(std::vector<Trace> traces, const Model& model);
 
   void restart();
-  /// Goes to the first cycle, then to the next; false: there is none.
+  /// Moves to the first cycle, then to the next. Returns false if there is none.
   bool nextCycle();
   double time() const { return time_; }
   double previousTime() const { return previousTime_; }
 
-  /// What was read in this cycle, by input symbol without parameters.
+  /// The values read in this cycle, by input symbol without parameters.
   const std::vector<std::pair<int, double>>& inputs() const { return inputs_; }
-  /// What an input symbol with parameters yielded: for these arguments in this cycle, else what it
-  /// yielded last.
+  /// The value of an input symbol with parameters: the one for these arguments in this cycle,
+  /// otherwise the last one.
   double call(int symbol, const double* arguments) const;
 
  private:
-  /// What a symbol of a trace is in the model.
+  /// The symbol of the model for a symbol of a trace.
   struct Place {
     int symbol = -1;  ///< -1: nothing
     std::vector<int> parameters;

@@ -10,7 +10,7 @@ namespace xabsl {
 
 namespace {
 
-/// Reads a file statement by statement; goes on behind the semicolon of one that is wrong.
+/// Reads a file statement by statement; continues behind the semicolon of a wrong one.
 class TestParser {
  public:
   TestParser(TestFile& file, std::string_view text, Reporter& reporter)

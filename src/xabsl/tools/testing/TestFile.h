@@ -31,7 +31,7 @@ namespace xabsl {
 // What stands before the first test holds for each of them. Expressions are those of XABSL, with
 // the names that Question.h lists; they are about the last cycle. Time begins with 0 in each test.
 
-/// A piece of the file, for messages.
+/// A part of the file, for messages.
 struct TestText {
   std::string_view text;
   Location location;
@@ -56,7 +56,7 @@ struct BehaviorTest {
   std::vector<TestStatement> statements;
 };
 
-/// What stands in a file of tests. All texts are views into the text of the file.
+/// The content of a file of tests. All texts are views into the text of the file.
 struct TestFile {
   std::string path;
   TestText behavior;
@@ -64,7 +64,7 @@ struct TestFile {
   std::vector<BehaviorTest> tests;
 };
 
-/// Reads tests; the diagnostics report what is wrong and are empty otherwise.
+/// Reads tests. Errors are appended to the diagnostics.
 TestFile parseTests(const std::string& path, std::string_view text,
                     std::vector<Diagnostic>& diagnostics);
 

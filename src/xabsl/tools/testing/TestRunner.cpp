@@ -26,13 +26,14 @@ constexpr double latest = 1e15;                // ms
 constexpr std::size_t mostEvents = 5'000'000;  // of a test
 constexpr std::size_t mostEventsOfCycle = 1'000'000;
 
-/// How many units of an angle make a radian: angles that are not declared in degrees are radians.
+/// The number of units of an angle per radian: angles that are not declared in degrees are in
+/// radians.
 double perRadian(const std::string& unit) {
   return unit == "deg" ? 180 / std::numbers::pi : 1;
 }
 
-/// What a function of numbers returns that all tests know, by the arguments; empty for other input
-/// symbols.
+/// The value of a mathematical function that all tests provide, by its arguments; empty for other
+/// input symbols.
 std::optional<double> knownFunction(const Symbol& symbol, const double* arguments) {
   const auto isNumber = [](Type type) { return type.kind == ValueKind::number; };
   const std::vector<Parameter>& parameters = symbol.parameters;
@@ -62,7 +63,8 @@ std::string listed(const std::vector<Parameter>& parameters) {
   return text;
 }
 
-/// Executes the statements of one test. First all are prepared, so that no error shows late.
+/// Executes the statements of one test. All statements are prepared first, so that no error occurs
+/// late.
 class TestRun {
  public:
   TestRun(const Behavior& behavior, const TestFile& file, const BehaviorTest& test)

@@ -11,20 +11,20 @@
 
 namespace xabsl {
 
-/// What came of one test.
+/// The result of one test.
 struct TestResult {
   std::string name;
-  /// What the file demands wrongly: names that do not exist, a trace that cannot be read.
+  /// Errors in the file: names that do not exist, a trace that cannot be read.
   std::vector<Diagnostic> errors;
   std::optional<Diagnostic> failure;
   std::string moment;  ///< of a failure: the last cycle, as TracePrinter shows it
   Trace trace;         ///< all cycles
 };
 
-/// Runs one test of a file with an engine of its own.
+/// Runs one test of a file with a new engine.
 TestResult runTest(const Behavior& behavior, const TestFile& file, const BehaviorTest& test);
 
-/// Where the file's behavior is, or another file that it names.
+/// The path of a file that the test file names, relative to the test file.
 std::string besides(const TestFile& file, std::string_view path);
 
 }  // namespace xabsl

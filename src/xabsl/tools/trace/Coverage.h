@@ -7,7 +7,7 @@
 
 namespace xabsl {
 
-/// Which states were active and which ways out of them were taken, over any number of traces of
+/// The states that were active and the transitions that were taken, over any number of traces of
 /// the same behavior.
 class Coverage {
  public:
@@ -16,17 +16,18 @@ class Coverage {
   void add(const std::vector<TraceEvent>& events);
 
   /// One line for each state that was never active, and each transition of the others that was
-  /// never taken, in the order of the sources. Behind them the sums.
+  /// never taken, in the order of the sources. The sums follow.
   std::string report() const;
 
  private:
-  /// A way out of a state, or of any state of an option: where a decision leads to a state.
+  /// A transition from a state, or from any state of an option: a branch of a decision that leads
+  /// to a state.
   struct Way {
     int option = -1;
     int from = -1;  ///< -1: by the common decision tree
     int to = -1;
     int decision = -1;  ///< -1: without a condition
-    bool held = true;   ///< whether its condition has to hold
+    bool held = true;   ///< whether its condition must hold
     long taken = 0;
   };
 

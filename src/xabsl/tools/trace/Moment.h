@@ -9,8 +9,8 @@
 
 namespace xabsl {
 
-/// What is known at the end of one cycle of a trace: what was active, and the values that symbols
-/// had when they were read or set last.
+/// The state of a behavior at the end of one cycle of a trace: the active options, and the last
+/// values that were read or set of symbols.
 class Moment {
  public:
   struct OptionMoment {
@@ -27,13 +27,13 @@ class Moment {
 
   explicit Moment(const TraceSubject& subject);
 
-  /// Goes on to the next cycle.
+  /// Advances to the next cycle by its events.
   void take(const TraceEvent* first, const TraceEvent* last);
-  /// The value of a symbol, as it would be after reading it.
+  /// Sets the value of a symbol, as if it was read.
   void set(int symbol, double value) { symbols_[at(symbol)] = value; }
 
   double now() const { return now_; }
-  /// Nothing: it was neither read nor set yet.
+  /// The value of a symbol; nothing if it was neither read nor set yet.
   std::optional<double> symbol(int index) const { return symbols_[at(index)]; }
   const OptionMoment& option(int index) const { return options_[at(index)]; }
   const BehaviorMoment& behavior(int index) const { return behaviors_[at(index)]; }

@@ -13,7 +13,8 @@
 
 namespace xabsl {
 
-/// The expression is compiled as a behavior of one state, whose input symbols are what it may name.
+/// The expression is compiled as a behavior of one state; its input symbols are the names that the
+/// expression may use.
 struct Question::Inside {
   Inside(const Moment& about, Type of) : moment(about), type(of) {}
 
@@ -43,7 +44,7 @@ struct Question::Inside {
 
 namespace {
 
-/// Whether XABSL text can name it: XML and intermediate code allow more.
+/// Whether a name is valid in XABSL text; XML and intermediate code allow more names.
 bool isName(const std::string& name) {
   Reporter reporter;
   Lexer lexer(reporter.addFile("name"), name, reporter);

@@ -12,7 +12,7 @@
 
 namespace xabsl {
 
-/// An expression of XABSL about a moment of a behavior. What it may name besides the symbols:
+/// An expression of XABSL about a moment of a behavior. Names that it may use besides the symbols:
 ///
 ///     OPTION               its active state: `handle_ball == align`
 ///     OPTION.previous      the one in the cycle before: so transitions can be asked for
@@ -26,7 +26,7 @@ namespace xabsl {
 /// had last, whatever the arguments were.
 class Question {
  public:
-  /// What else an expression may name, and where it gets the value from.
+  /// Another name that an expression may use, with the source of its value.
   struct Variable {
     std::string name;
     Type type;
@@ -34,8 +34,8 @@ class Question {
   };
   struct Making;
 
-  /// Compiles an expression of the given type; messages are about its place in a file. The moment
-  /// and what the variables point to must stay where they are.
+  /// Compiles an expression of the given type; messages refer to its place in a file. The moment
+  /// and the values of the variables must not move.
   static Making make(const Moment& moment, std::string_view expression, Type type,
                      const std::string& file, Location place,
                      const std::vector<Variable>& variables = {});
@@ -44,8 +44,8 @@ class Question {
   Question& operator=(Question&&) noexcept;
   ~Question();
 
-  /// The value now, elements by their registered values; nothing if it depends on a symbol that has
-  /// no value yet.
+  /// The present value, elements by their registered values; nothing if it depends on a symbol
+  /// without a value.
   std::optional<double> answer();
 
  private:

@@ -6,7 +6,7 @@ namespace xabsl {
 
 namespace {
 
-/// Whether the engine records the value of such an expression.
+/// Whether the engine records the values of expressions with an operator.
 bool isRead(Operator operation) {
   switch (operation) {
     case Operator::parameter:

@@ -10,8 +10,8 @@
 
 namespace xabsl {
 
-/// The behavior that a trace is about, as far as its events refer to it: one need not have the
-/// behavior to read the trace.
+/// The recorded behavior, as far as the events of a trace refer to it, so that the behavior itself
+/// is not needed to read the trace.
 struct TraceSubject {
   /// A symbol, parameter or time that an expression reads.
   struct Read {
@@ -27,12 +27,12 @@ struct TraceSubject {
   Model model;                                     ///< without constants, actions and expressions
   std::vector<std::vector<double>> elementValues;  ///< per enumeration
   std::vector<Condition> conditions;               ///< per decision
-  std::vector<Read> reads;  ///< per expression; without a text: nothing is read
+  std::vector<Read> reads;  ///< per expression; an empty text: nothing is read
 
-  /// What an engine executes.
+  /// The subject of an engine's behavior.
   static TraceSubject of(const Engine& engine);
 
-  /// `1.5`, `true` or the name of an element.
+  /// A value as text: `1.5`, `true` or the name of an element.
   std::string valueText(Type type, double value) const;
   /// `file:line`
   std::string place(Location location) const;
@@ -41,11 +41,11 @@ struct TraceSubject {
   int optionOf(int state) const;
 };
 
-/// What an engine did while it executed one behavior. A file may hold several, for a behavior that
-/// was edited while it ran.
+/// The events of an engine while it executed one behavior. A file may contain several traces, if
+/// the behavior was edited while it ran.
 struct Trace {
   TraceSubject subject;
-  std::vector<TraceEvent> events;  ///< begins with a cycle, if there is any
+  std::vector<TraceEvent> events;  ///< begins with a cycle event, if there are any
 };
 
 /// Calls `visit(first, last)` with the events of each cycle.

@@ -10,7 +10,7 @@
 
 namespace xabsl {
 
-/// What reading a trace yields; without traces the diagnostics report what is wrong.
+/// The result of reading a file of traces; if there are no traces, the diagnostics have the errors.
 struct TraceReading {
   std::vector<Trace> traces;
   std::vector<Diagnostic> diagnostics;
@@ -53,17 +53,17 @@ struct TraceReading {
 /// The letters of the events, in the order of TraceEvent::Kind.
 constexpr std::string_view traceLetters = "corpdgstbv=";
 
-/// The subject, up to the word `cycles`.
+/// The text of a subject, up to the word `cycles`.
 std::string toText(const TraceSubject& subject);
-/// Events of a subject, to be appended.
+/// The text of events, to be appended to that of their subject.
 std::string toText(const std::vector<TraceEvent>& events);
 
-/// The name is for messages.
+/// Reads traces from a text. `name` is used in messages.
 TraceReading readTraces(const std::string& name, std::string_view text);
-/// Appends the events of a text to a trace that was read. Returns what is wrong, and appends what
-/// stands before it.
+/// Appends the events of a text to a trace that was read. Returns the first error, if there is one;
+/// the events before it are appended.
 std::optional<Diagnostic> readMore(Trace& trace, const std::string& name, std::string_view text);
-/// The same as `readTraces` from a file of at most 128 MiB.
+/// Reads traces from a file of at most 128 MiB.
 TraceReading loadTraces(const std::string& path);
 
 }  // namespace xabsl

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t largestTrace = 128u << 20;
 constexpr std::string_view firstLine = "xabsl trace 1";
 
-/// Reads traces line by line; stops at the first that is wrong.
+/// Reads traces line by line; stops at the first error.
 class TraceReader {
  public:
   TraceReader(const std::string& name, std::string_view text)

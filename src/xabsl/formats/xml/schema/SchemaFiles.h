@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-/// The XML Schemas of XABSL 2.1 and 3.1, as they stand in this folder, held in the program.
+/// The XML Schemas of XABSL 2.1 and 3.1, embedded from the files in this folder.
 namespace xabsl::schema {
 
 std::string_view agentCollection();
