@@ -27,8 +27,8 @@ struct RequestTypes {
     return answer;
   }
 
-  /// Removes all these requests from the tools' messages and lets a part execute them, the oldest
-  /// first. `answer(RequestAnswer)` is called after each. The part may replace the queue meanwhile.
+  /// Removes all these requests from the tools' messages and lets a part execute them, the oldest of
+  /// them first; requests of other types keep their place. `answer(RequestAnswer)` is called after each. The part may replace the queue meanwhile.
   template <typename Part, typename Answer>
   static void carryOutAll(MessageQueue& fromTools, const std::string& process, Part& part,
                           Answer answer) {

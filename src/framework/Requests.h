@@ -23,10 +23,12 @@
 /// | a whole representation or piece of configuration set (ColorTable64, TslColors, ...) | itself | |
 /// | another layout, another behavior | LayoutRequest, BehaviorRequest | |
 /// | how the queue to the tools is filled | QueueFillRequest | |
+/// | the files from which the robot was made | SetupRequest | RecordedSetup |
 ///
 /// Besides, each process answers each request by a RequestAnswer. The requests that each part
 /// executes are listed in `ModuleProcess::Requests`, `DebugProcess::Requests` and
-/// `Robot::Requests`; that of a BehaviorRequest, in the ConfigurationPart of the behavior.
+/// `Robot::Requests`; that of a BehaviorRequest, in the ConfigurationPart of the behavior. Robot,
+/// Debug process and other processes execute theirs in this order.
 namespace gt {
 
 /// The result of a request in a process.

@@ -56,7 +56,7 @@ class Invariants {
   /// The index of an invariant, from its name; another name does not compile.
   struct Name {
     // NOLINTNEXTLINE(google-explicit-constructor): a text is meant to become a name.
-    consteval Name(std::string_view name) {
+    consteval Name(const char* name) {
       while (invariants[index].name != name) ++index;
     }
 

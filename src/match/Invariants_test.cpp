@@ -108,7 +108,8 @@ TEST_F(InvariantsTest, APlaceThatIsNoNumberIsFound) {
   auto& ball = const_cast<BallState&>(simulation->world().ball(0));
   ball.position.x() = std::numeric_limits<double>::infinity();
   invariants->update();
-  EXPECT_THAT(broken(), testing::IsSupersetOf({"finite: red2: is nowhere", "finite: ball0: is nowhere"}));
+  EXPECT_THAT(broken(),
+              testing::IsSupersetOf({"finite: red2: is nowhere", "finite: ball0: is nowhere"}));
 }
 
 TEST_F(InvariantsTest, WhatIsNoNumberIsFound) {

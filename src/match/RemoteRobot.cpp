@@ -16,15 +16,14 @@ constexpr std::int64_t offAfter = 2000;  // ms
 
 }  // namespace
 
-RemoteRobot::RemoteRobot() : wire_{network_, platformProcess} {
-  belief_.forEach(
-      [&]<typename T>(const T*& part) { part = &std::get<ReceivedPackage<T>>(believed_).value; });
-}
+RemoteRobot::RemoteRobot() : wire_{network_, platformProcess} {}
 
 template <typename T>
-void RemoteRobot::receive(ReceivedPackage<T>& in, const Plan& plan) {
-  if (const std::string from = senderOf(plan, representation<T>()); !from.empty())
-    wire_.receive(from, in.receiver);
+bool RemoteRobot::receive(ReceivedPackage<T>& in, const Plan& plan) {
+  const std::string from = senderOf(plan, representation<T>());
+  if (from.empty()) return false;
+  wire_.receive(from, in.receiver);
+  return true;
 }
 
 Result<std::unique_ptr<RemoteRobot>> RemoteRobot::make(const RobotAddresses& addresses,
@@ -37,7 +36,10 @@ Result<std::unique_ptr<RemoteRobot>> RemoteRobot::make(const RobotAddresses& add
     return done.error();
   std::apply([&](auto&... inputs) { (robot->wire_.provide(inputs.sender), ...); }, robot->inputs_);
   std::apply([&](auto&... commands) { (robot->receive(commands, plan), ...); }, robot->commands_);
-  std::apply([&](auto&... parts) { (robot->receive(parts, plan), ...); }, robot->believed_);
+  robot->belief_.forEach([&]<typename T>(const T*& part) {
+    auto& in = std::get<ReceivedPackage<T>>(robot->believed_);
+    if (robot->receive(in, plan)) part = &in.value;
+  });
   return robot;
 }
 
@@ -67,7 +69,7 @@ void RemoteRobot::takeCommands(const RobotInput& input, RobotOutput& output) {
   now_ = input.now;
   output.forEach([&](auto& command) { take(command, input); });
   std::apply([](auto&... parts) { (parts.take(), ...); }, believed_);
-  output.specialAction = belief_.motion->executed.specialAction;
+  if (belief_.motion) output.specialAction = belief_.motion->executed.specialAction;
 }
 
 template <typename T>

@@ -39,8 +39,9 @@ class RemoteRobot : public MatchRobot {
 
  private:
   RemoteRobot();
+  /// Receives a package from the process that sends it. Returns false if no process does.
   template <typename T>
-  void receive(ReceivedPackage<T>& in, const Plan& plan);
+  bool receive(ReceivedPackage<T>& in, const Plan& plan);
   template <typename T>
   ReceivedPackage<T>& received() {
     return std::get<ReceivedPackage<T>>(commands_);

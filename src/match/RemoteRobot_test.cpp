@@ -98,6 +98,11 @@ TEST_F(RemoteRobotTest, SendsSensorsAndTakesCommands) {
   EXPECT_GT(robot_->statistics().frames, 0);
 }
 
+TEST_F(RemoteRobotTest, BelievesOnlyWhatItsProcessesProvide) {
+  settle();
+  EXPECT_EQ(robot_->belief().pose, nullptr) << "nobody localizes";
+}
+
 TEST_F(RemoteRobotTest, KeepsItsJointsWhileNobodyAnswersAndCountsThat) {
   command(0.25);
   const RemoteStatistics before = robot_->statistics();

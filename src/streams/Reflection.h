@@ -20,7 +20,8 @@ struct Range {
 };
 
 /// The description of a field. It must be understandable by itself, because tools show it without
-/// the other fields. A sentence that is empty or refers to another field does not compile.
+/// the other fields. A sentence that is empty, or that begins by referring to another field, does
+/// not compile.
 struct Sentence {
   // NOLINTNEXTLINE(google-explicit-constructor): a text is meant to become a sentence.
   consteval Sentence(const char* words) : text{words, __builtin_strlen(words)} {
@@ -204,7 +205,8 @@ struct CheckedFields {
 }  // namespace detail
 
 /// Whether `fields()` names every member of an aggregate exactly once. Checked automatically for
-/// everything that is streamed: a forgotten field does not compile.
+/// everything that is streamed: a forgotten field does not compile. Of classes with private members
+/// or constructors only that no name and no member comes twice.
 template <typename T>
 constexpr bool complete = detail::hasMembers<T, decltype(T::fields())::count> &&
                           !detail::hasMembers<T, decltype(T::fields())::count + 1> &&

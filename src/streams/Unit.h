@@ -11,13 +11,13 @@ enum class Unit {
   mmRad,
   mmOrPixel,
   pixel,
-  frames,
-  ticks,
+  frames,  ///< Of the joints and sensors, 8 ms each.
+  ticks,   ///< Of the simulator or the sensors, 8 ms each.
   percent,
   deg,
   rad,
   rad2,
-  oneRad,
+  oneRad,  ///< A number without unit, then an angle.
   ns,
   us,
   ms,
@@ -42,7 +42,7 @@ enum class Unit {
   cd
 };
 
-/// The unit as written behind a number; empty for a number without a unit.
+/// The unit as written behind a number, or behind several with a comma in between; empty for a number without a unit.
 constexpr std::string_view unitText(Unit unit) {
   switch (unit) {
     case Unit::none:

@@ -71,9 +71,9 @@ class ColorTableDialog : public Dialog {
       };
     };
     button("undo", "Undo", "Takes the last step back", 0, 1, edit([this] { editor_.undo(); }));
-    button("clear", "Clear class", "Takes all its colors from the chosen class", 0, 2,
+    button("clear", "Clear class", "Removes all colors from the chosen class", 0, 2,
            edit([this] { editor_.clear(chosen()); }));
-    button("reset", "Reset", "Takes their classes from all colors", 0, 3,
+    button("reset", "Reset", "Removes the class of every color", 0, 3,
            edit([this] { editor_.reset(); }));
     button("remove", "Remove", "Removes colors that have none of their class near", 1, 0,
            edit([this] { editor_.removeIsolated(selected()); }));
