@@ -13,6 +13,7 @@
 #include "base/UserFolder.h"
 #include "simulation/scene/ProfileTable.h"
 #include "streams/Config.h"
+#include "streams/Json.h"
 
 namespace gt {
 namespace {
@@ -67,7 +68,7 @@ std::string nameOf(const MotionNet& net, int motion) {
       node.requested = 0;
     }
     node.motion = 0;
-    sum.add(writeConfig(node));
+    sum.add(jsonText(node));  // no sentences, as a configuration file has them
   }
   return fmt::format("{:016x}", sum.value());
 }
