@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+
+#include "base/NumericJacobian.h"
 #include "base/Random.h"
 
 namespace gt {
@@ -27,6 +30,28 @@ TEST(LegKinematics, FootAtZeroIsWhereTheDrawingHasIt) {
   // The drawn pose has the knees at 35 degrees (facts, 1.1).
   const auto foot = footPosition(robot, Leg::foreLeft, {0, 0, fromDegrees(35)});
   EXPECT_LT((foot - Vector3d{59.5 + 12.8 + 22.4, 59.7, -64 - 64.9}).norm(), 0.1);
+}
+
+TEST(LegKinematics, TheDerivativesOfFootAndAnglesAreInverse) {
+  const RobotDimensions robot;
+  Random random{4};
+  for (const Leg leg : legs)
+    for (int i = 0; i < 50; ++i) {
+      const LegAngles drawn = randomAngles(random, leg);
+      const Vector3d q{drawn.rotator, drawn.elevator, drawn.knee};
+      const auto foot = [&](const Vector3d& a) -> Vector3d {
+        return footPosition(robot, leg, {a.x(), a.y(), a.z()});
+      };
+      const auto angles = [&](const Vector3d& place) {
+        const LegAngles a = legAngles(robot, leg, place).angles;
+        return Vector3d{a.rotator, a.elevator, a.knee};
+      };
+      const Matrix3d byAngles = numericJacobian(foot, q, Vector3d{1e-5, 1e-5, 1e-5});
+      // A stretched leg, or one whose foot lies on the rotator's axis, has no derivative.
+      if (std::abs(byAngles.determinant()) < 3e4 || (angles(foot(q)) - q).norm() > 1e-6) continue;
+      const Matrix3d byFoot = numericJacobian(angles, foot(q), Vector3d{1e-4, 1e-4, 1e-4});
+      EXPECT_LT((byFoot * byAngles - Matrix3d::Identity()).norm(), 1e-3) << q.transpose();
+    }
 }
 
 /// Equation 3.24 for the left fore leg.

@@ -45,30 +45,26 @@ void ProbabilisticBallLocator::update(const BallPercept& percept, const CameraMa
     }
 }
 
-// A rolling ball has a constant deceleration until it rests. Errors of the odometry move the ball,
-// the more the farther away it is.
+// Errors of the odometry move the ball, the more the farther away it is.
 void ProbabilisticBallLocator::predict(const Pose2D& step, double seconds) {
   const double c = std::cos(step.rotation), s = std::sin(step.rotation);
   Eigen::Matrix2d turn;
   turn << c, s, -s, c;
   const double walked = parameters.stepNoise * step.translation.norm();
   const double turned = parameters.turnNoise * std::abs(step.rotation);
+  const RollingBall rolling{parameters.deceleration};
   for (int i = 0; i < count_; ++i) {
     Hypothesis& h = hypotheses_[static_cast<std::size_t>(i)];
-    const double speed = h.state.tail<2>().norm();
-    const double slower =
-        speed > 0 ? std::max(0., 1 - parameters.deceleration * seconds / speed) : 1;
-    Vector2d way = h.state.tail<2>() * (seconds * (1 + slower) / 2);
-    if (meetsBody(h.position(), h.position() + way)) {
-      way.setZero();
+    RollingBall::Derivative transition = rolling.derivative(seconds, h.state);
+    const State rolled = rolling.after(seconds, h.state);
+    if (meetsBody(h.position(), rolled.head<2>()))
       h.state.tail<2>().setZero();
-    }
-    h.state.head<2>() = turn * (h.position() + way - step.translation);
-    h.state.tail<2>() = turn * (slower * h.state.tail<2>());
-    Covariance transition = Covariance::Zero();
-    transition.topLeftCorner<2, 2>() = turn;
-    transition.topRightCorner<2, 2>() = turn * seconds;
-    transition.bottomRightCorner<2, 2>() = turn * slower;
+    else
+      h.state = rolled;
+    h.state.head<2>() = turn * (h.position() - step.translation);
+    h.state.tail<2>() = turn * h.state.tail<2>();
+    transition.topRows<2>() = (turn * transition.topRows<2>()).eval();
+    transition.bottomRows<2>() = (turn * transition.bottomRows<2>()).eval();
     h.covariance = transition * h.covariance * transition.transpose();
     const double drift = walked + turned * h.position().norm();
     h.covariance.diagonal().head<2>().array() += drift * drift;

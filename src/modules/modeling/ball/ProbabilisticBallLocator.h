@@ -4,6 +4,7 @@
 
 #include "debug/Debug.h"
 #include "modules/modeling/ball/BallEstimate.h"
+#include "modules/modeling/ball/RollingBall.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/motion/OdometryData.h"
 #include "representations/perception/BallPercept.h"
@@ -92,7 +93,7 @@ class ProbabilisticBallLocator {
               const FrameInfo& frame, BallModel& model, Debug& debug);
 
  private:
-  using State = Eigen::Vector4d;  ///< Position (mm), speed (mm/s).
+  using State = RollingBall::State;
   using Covariance = Eigen::Matrix4d;
   struct Hypothesis {
     State state = State::Zero();

@@ -5,6 +5,7 @@
 
 #include "modules/modeling/selflocator/Bearings.h"
 #include "modules/modeling/selflocator/ParticleDrawing.h"
+#include "modules/modeling/selflocator/PoseMeasurements.h"
 
 namespace gt {
 namespace {
@@ -17,35 +18,6 @@ constexpr double sameDistance = 120, sameAngle = 0.2;  // mm, rad
 
 double squared(double x) {
   return x * x;
-}
-
-/// The measurement of a bearing on the edge of a flag or a goal, relative to a hypothesis (report
-/// (3.10)).
-ScalarMeasurement bearingOf(const Bearing& bearing, const Vector2d& cameraOffset,
-                            const PoseHypothesis& hypothesis, double variance, double panVariance) {
-  const Pose2D& pose = hypothesis.pose();
-  const Vector2d offset = rotated(cameraOffset, pose.rotation);
-  const Vector2d way = bearing.landmark - pose.translation - offset;
-  const double distance = std::max(way.norm(), 1.01 * std::abs(bearing.radius) + 1);
-  const double expected =
-      angleOf(way) - pose.rotation + std::asin(bearing.radius / distance) + hypothesis.camera().z();
-  const Vector2d byPosition = Vector2d{way.y(), -way.x()} / squared(distance);
-  const double byRotation = byPosition.dot(Vector2d{-offset.y(), offset.x()}) - 1;
-  return {normalize(angleOf(bearing.direction) - expected),
-          {byPosition.x(), byPosition.y(), byRotation},
-          variance,
-          {0, 0, 1},
-          variance + panVariance};
-}
-
-/// The measurement of the distance of a flag, relative to a hypothesis.
-ScalarMeasurement distanceOf(const FlagPercept& flag, const Vector2d& position, const Pose2D& pose,
-                             double relativeError) {
-  const Vector2d way = position - pose.translation;
-  const double distance = std::max(way.norm(), 1.);
-  return {flag.distance - distance,
-          {-way.x() / distance, -way.y() / distance, 0},
-          squared(relativeError * flag.distance)};
 }
 
 }  // namespace
@@ -169,14 +141,14 @@ void KalmanSelfLocator::observeLandmarks(const LandmarksPercept& percept,
     double sum = 0;
     for (const Bearing& bearing : bearings)
       sum += std::log(p.landmarkSurprise +
-                      h.filter.correct(bearingOf(bearing, offset, h.filter,
-                                                 variance(bearing, h.filter.pose()), pan),
+                      h.filter.correct(measurementOf(bearing, offset, h.filter,
+                                                     variance(bearing, h.filter.pose()), pan),
                                        p.gate));
     for (int i = 0; i < percept.numberOfFlags; ++i) {
       const FlagPercept& flag = percept.flags[static_cast<std::size_t>(i)];
       if (flag.distance > 0)
-        h.filter.correct(distanceOf(flag, positionOf(flag.type, team, field), h.filter.pose(),
-                                    p.flagDistanceError),
+        h.filter.correct(measurementOf(flag, positionOf(flag.type, team, field), h.filter.pose(),
+                                       p.flagDistanceError),
                          p.gate);
     }
     const double fits = judge(h, sum, bearings.count, 1.5);
@@ -184,48 +156,17 @@ void KalmanSelfLocator::observeLandmarks(const LandmarksPercept& percept,
   }
 }
 
-/// The measurement of a point on an edge, relative to a hypothesis. An error of tilt or roll
-/// changes the distance of the point, an error of the pan its direction.
-ScalarMeasurement KalmanSelfLocator::measurementOf(const ChosenPoint& chosen,
-                                                   const Vector3d& camera,
-                                                   const PoseHypothesis& hypothesis) const {
-  const Parameters& p = parameters;
-  const Pose2D& pose = hypothesis.pose();
-  const Vector2d seen = chosen.point - camera.head<2>();
-  const double distance = std::max(seen.norm(), 1.);
-  const double lengthening = (squared(distance) + squared(camera.z())) / std::max(camera.z(), 50.);
-  const Vector2d axis = seen / distance;  // its cosine and sine share out tilt and roll
-  const Vector2d off = hypothesis.camera().head<2>() + hypothesis.lean();
-  const double lengthened = lengthening * off.dot(axis);
-  const Vector2d point =
-      camera.head<2>() + rotated(seen - lengthened * axis, -hypothesis.camera().z());
-  const Vector2d place = pose * point;
-  const EdgeTables::Edge& edge = edges_.tables().nearest(chosen.type, static_cast<float>(place.x()),
-                                                         static_cast<float>(place.y()));
-  const Vector2d normal{edge.normal.x, edge.normal.y};
-  const Vector2d lever = place - pose.translation;
-  const Vector2d view = rotated(seen, pose.rotation);
-  const double along = view.dot(normal) / distance;
-  const double byTilt = -along * lengthening;
-  const double across = normal.dot(Vector2d{-view.y(), view.x()});
-  const double variance =
-      squared(p.pointError) * (squared(byTilt) + squared(across)) + squared(p.edgeError);
-  return {normal.dot(Vector2d{edge.point.x, edge.point.y} - place),
-          {normal.x(), normal.y(), normal.dot(Vector2d{-lever.y(), lever.x()})},
-          variance,
-          {byTilt * axis.x(), byTilt * axis.y(), -across},
-          variance + squared(byTilt * tiltError_) + squared(across * panError_)};
-}
-
 void KalmanSelfLocator::observeEdges(const Vector3d& camera) {
   const std::vector<ChosenPoint>& points = edges_.chosen();
   if (points.empty()) return;
   const Parameters& p = parameters;
+  const EdgeErrors errors{p.edgeError, p.pointError, tiltError_, panError_};
   for (Hypothesis& h : hypotheses_) {
     double sum = 0;
     for (const ChosenPoint& chosen : points)
-      sum +=
-          std::log(p.surprise + h.filter.correct(measurementOf(chosen, camera, h.filter), p.gate));
+      sum += std::log(p.surprise + h.filter.correct(measurementOf(chosen, edges_.tables(), camera,
+                                                                  h.filter, errors),
+                                                    p.gate));
     judge(h, sum, static_cast<int>(points.size()), 1);
   }
 }

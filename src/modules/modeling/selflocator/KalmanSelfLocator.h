@@ -140,8 +140,6 @@ class KalmanSelfLocator {
   void move(const OdometryData& odometry, Time now);
   void observeLandmarks(const LandmarksPercept& percept, const FieldDimensions& field,
                         TeamColor team);
-  ScalarMeasurement measurementOf(const ChosenPoint& chosen, const Vector3d& camera,
-                                  const PoseHypothesis& hypothesis) const;
   void observeEdges(const Vector3d& camera);
   void turnCamera(const CameraMatrix& camera);
   CameraErrors cameraErrors() const;

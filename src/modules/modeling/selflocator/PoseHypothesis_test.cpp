@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "base/NumericJacobian.h"
+
 namespace gt {
 namespace {
 
@@ -36,6 +38,21 @@ TEST(PoseHypothesis, AnUnknownRotationMakesAWalkUncertainSideways) {
   EXPECT_NEAR(hypothesis.pose().translation.y(), 1000, 1e-9);
   EXPECT_NEAR(hypothesis.covariance()(0, 0), 100 + 10000, 1e-6);
   EXPECT_NEAR(hypothesis.covariance()(1, 1), 100, 1e-6);
+}
+
+TEST(PoseHypothesis, AStepMovesTheCovarianceByItsDerivative) {
+  const Pose2D step{-0.3, 40, 25};
+  const auto moved = [&](const Vector3d& p) {
+    const Pose2D pose = Pose2D{p.z(), p.x(), p.y()} * step;
+    return Vector3d{pose.translation.x(), pose.translation.y(), pose.rotation};
+  };
+  const Matrix3d derivative =
+      numericJacobian(moved, Vector3d{300, -200, 0.8}, Vector3d{0.1, 0.1, 1e-4});
+  PoseHypothesis hypothesis{{0.8, 300, -200}, 20, 0.1};
+  const Matrix3d before = hypothesis.covariance().topLeftCorner<3, 3>();
+  hypothesis.move(step, Vector3d::Zero());
+  const Matrix3d expected = derivative * before * derivative.transpose();
+  EXPECT_LT((hypothesis.covariance().topLeftCorner<3, 3>() - expected).norm(), 1e-6);
 }
 
 TEST(PoseHypothesis, RotationsAreCorrectedAcrossTheSeam) {

@@ -3,7 +3,9 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <cmath>
+#include <utility>
 
+#include "base/NumericJacobian.h"
 #include "modules/kinematics/BodyPosture.h"
 #include "modules/kinematics/HeadKinematics.h"
 
@@ -52,9 +54,11 @@ Vector3d CameraCalibrator::corner(const Values& values, std::size_t i) const {
   return {at.x(), at.y(), board_.height + (board_.rows - 1 - row) * board_.square};
 }
 
-void CameraCalibrator::residuals(const Problem& problem, const Values& values,
-                                 std::vector<double>& out) const {
-  out.clear();
+Eigen::VectorXd CameraCalibrator::residuals(const Problem& problem, const Values& values) const {
+  std::size_t corners = 0;
+  for (const View& view : views_) corners += view.corners.size();
+  Eigen::VectorXd residuals(static_cast<Eigen::Index>(2 * corners));
+  Eigen::Index next = 0;
   CameraInfo camera = problem.camera;
   camera.focalX = values[focalX];
   camera.focalY = values[focalY];
@@ -64,60 +68,39 @@ void CameraCalibrator::residuals(const Problem& problem, const Values& values,
     for (std::size_t i = 0; i < view.corners.size(); ++i) {
       Vector3d inCamera = pose.rotation.transpose() * (corner(values, i) - pose.translation);
       inCamera.x() = std::max(inCamera.x(), 1.0);
-      const Vector2d off = camera.project(inCamera) - view.corners[i];
-      out.push_back(off.x());
-      out.push_back(off.y());
+      residuals.segment<2>(next) = camera.project(inCamera) - view.corners[i];
+      next += 2;
     }
   }
-}
-
-double CameraCalibrator::squaredError(const Problem& problem, const Values& values,
-                                      std::vector<double>& out) const {
-  residuals(problem, values, out);
-  double sum = 0;
-  for (const double r : out) sum += r * r;
-  return sum;
-}
-
-Eigen::MatrixXd CameraCalibrator::jacobian(const Problem& problem, const Fit& fit) const {
-  Values steps;
-  steps << 0.01, 0.01, 1e-5, 1e-5, 0.01, 0.01, 1e-5;
-  std::vector<double> moved;
-  Eigen::MatrixXd jacobian(static_cast<Eigen::Index>(fit.residuals.size()), unknowns);
-  for (int k = 0; k < unknowns; ++k) {
-    Values other = fit.values;
-    other[k] += steps[k];
-    residuals(problem, other, moved);
-    for (std::size_t i = 0; i < moved.size(); ++i)
-      jacobian(static_cast<Eigen::Index>(i), k) = (moved[i] - fit.residuals[i]) / steps[k];
-  }
-  return jacobian;
+  return residuals;
 }
 
 CameraCalibrator::Fit CameraCalibrator::fit(const Problem& problem, const Values& first) const {
   constexpr int iterations = 60;
   constexpr double enough = 1e-9;
+  Values steps;
+  steps << 0.01, 0.01, 1e-5, 1e-5, 0.01, 0.01, 1e-5;
+  const auto off = [&](const Values& values) { return residuals(problem, values); };
   Fit fit;
   fit.values = first;
-  fit.error = squaredError(problem, fit.values, fit.residuals);
+  fit.residuals = off(fit.values);
+  fit.error = fit.residuals.squaredNorm();
   double damping = 1e-3;
-  std::vector<double> moved;
   for (int iteration = 0; iteration < iterations; ++iteration) {
-    const Eigen::MatrixXd derivatives = jacobian(problem, fit);
-    const Eigen::Map<const Eigen::VectorXd> residual(
-        fit.residuals.data(), static_cast<Eigen::Index>(fit.residuals.size()));
+    const auto derivatives = numericJacobian(off, fit.values, steps);
     fit.normal = derivatives.transpose() * derivatives;
-    const Values slope = derivatives.transpose() * residual;
+    const Values slope = derivatives.transpose() * fit.residuals;
     const double before = fit.error;
     for (int attempt = 0; attempt < 10; ++attempt) {
       Normal damped = fit.normal;
       damped.diagonal() *= 1 + damping;
       const Values next = fit.values - Values{damped.ldlt().solve(slope)};
-      const double nextError = squaredError(problem, next, moved);
+      Eigen::VectorXd moved = off(next);
+      const double nextError = moved.squaredNorm();
       if (std::isfinite(nextError) && nextError < fit.error) {
         fit.values = next;
         fit.error = nextError;
-        std::swap(fit.residuals, moved);
+        fit.residuals = std::move(moved);
         damping /= 10;
         break;
       }

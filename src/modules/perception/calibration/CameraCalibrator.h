@@ -79,7 +79,7 @@ class CameraCalibrator {
   /// The values with the least squared error found so far.
   struct Fit {
     Values values;
-    std::vector<double> residuals;
+    Eigen::VectorXd residuals;           ///< Differences of the corners' places, pixels.
     double error = 0;                    ///< Sum of the squared residuals.
     Normal normal = Normal::Identity();  ///< J^T J of the last step.
   };
@@ -87,10 +87,7 @@ class CameraCalibrator {
   Values guess(const CameraInfo& camera, const RobotDimensions& robot,
                const RobotCalibration& body) const;
   Vector3d corner(const Values& values, std::size_t i) const;
-  void residuals(const Problem& problem, const Values& values, std::vector<double>& out) const;
-  double squaredError(const Problem& problem, const Values& values, std::vector<double>& out) const;
-  /// The derivatives of the residuals with respect to the values.
-  Eigen::MatrixXd jacobian(const Problem& problem, const Fit& fit) const;
+  Eigen::VectorXd residuals(const Problem& problem, const Values& values) const;
   Fit fit(const Problem& problem, const Values& first) const;
 
   Checkerboard board_;
