@@ -48,15 +48,16 @@ double SoccerInputs::ballGoalAngle() const {
   return toDegrees(normalize(fromDegrees(ballGoalDirection()) - w().self.pose.rotation));
 }
 
-double SoccerInputs::ballOwnGoalBisector(double x) const {
+double SoccerInputs::ballOwnGoalBisector(double x, double most) const {
   const Vector2d ball = tactics_.knownBallOnField();
   const auto toPost = [&](double y) {
     return Vector2d{Vector2d{-w().field.xGroundline, y} - ball}.normalized();
   };
   const Vector2d bisector = toPost(w().field.yGoal) + toPost(-w().field.yGoal);
   // A ball that is not ahead of the line is beside it.
-  if (ball.x() <= x || bisector.x() >= 0) return ball.y();
-  return ball.y() + bisector.y() / bisector.x() * (x - ball.x());
+  const bool beside = ball.x() <= x || bisector.x() >= 0;
+  const double y = beside ? ball.y() : ball.y() + bisector.y() / bisector.x() * (x - ball.x());
+  return std::clamp(y, -most, most);
 }
 
 Vector2d SoccerInputs::place() const {

@@ -60,7 +60,7 @@ class SoccerInputs final : public soccer::Inputs {
   double ballGoalAngle() const override;
   double ballOwnGoalDirection() const override { return angleTo(ballToOwnGoal()); }
   double ballOwnGoalDistance() const override { return ballToOwnGoal().norm(); }
-  double ballOwnGoalBisector(double x) const override;
+  double ballOwnGoalBisector(double x, double most) const override;
 
   double robotPoseX() const override { return w().self.pose.translation.x(); }
   double robotPoseY() const override { return w().self.pose.translation.y(); }

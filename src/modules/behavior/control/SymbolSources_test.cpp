@@ -56,7 +56,7 @@ TEST_F(SymbolSources, TellWhereTheGoalieHasBothPostsAtTheSameAngle) {
   world.frame.time = world.ball.lastSeen = {1000};
   for (const Vector2d& ball : {Vector2d{-500, 500}, Vector2d{-1300, -450}, Vector2d{0, 0}}) {
     world.ball.position = ball;  // the robot is in the middle of the field
-    const Vector2d goalie{line, inputs().ballOwnGoalBisector(line)};
+    const Vector2d goalie{line, inputs().ballOwnGoalBisector(line, 400)};
     const auto angleTo = [&](double y) {
       return std::abs(normalize(angleOf(Vector2d{Vector2d{-world.field.xGroundline, y} - ball}) -
                                 angleOf(Vector2d{goalie - ball})));
@@ -64,7 +64,8 @@ TEST_F(SymbolSources, TellWhereTheGoalieHasBothPostsAtTheSameAngle) {
     EXPECT_NEAR(angleTo(world.field.yGoal), angleTo(-world.field.yGoal), 1e-9);
   }
   world.ball.position = {-2050, 300};
-  EXPECT_EQ(inputs().ballOwnGoalBisector(line), 300);
+  EXPECT_EQ(inputs().ballOwnGoalBisector(line, 400), 300);
+  EXPECT_EQ(inputs().ballOwnGoalBisector(line, 200), 200);
 }
 
 TEST_F(SymbolSources, TellWhereABallThatComesWillCrossTheRobotsLine) {
