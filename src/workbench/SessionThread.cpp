@@ -115,7 +115,7 @@ std::vector<Result<std::string>> SessionThread::end() {
 void SessionThread::run() {
   while (!ending_) {
     const auto done = guarded([this]() -> Result<void> {
-      work();
+      workOff();
       return {};
     });
     if (done) continue;
@@ -125,7 +125,7 @@ void SessionThread::run() {
 }
 
 /// Answers what was asked, executes what was given, and lets some time pass.
-void SessionThread::work() {
+void SessionThread::workOff() {
   answer();
   while (auto command = take(commands_)) {
     session_->takeInterrupt();  // it was meant for an earlier one

@@ -171,7 +171,7 @@ class SessionThread {
 
   explicit SessionThread(DataRoot root);
   void run();
-  void work();
+  void workOff();
   void post(Command command);
   void post(Task question);
   Result<void> perform(const std::string& line, bool quiet,
