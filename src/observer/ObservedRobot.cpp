@@ -299,6 +299,7 @@ Result<void> ObservedRobot::isKnown(std::string_view representation) {
 }
 
 Result<ConstValue> ObservedRobot::value(const std::string& representation) {
+  if (const auto here = link_->peek(representation)) return *here;
   if (auto known = isKnown(representation); !known) return known.error();
   const RepresentationType* type = messageType(representation);
   if (!type) return Error{.field = representation, .what = "this program does not know its type"};
@@ -397,9 +398,7 @@ Result<std::vector<std::string>> ObservedRobot::paths(const std::string& name) {
   if (isKnown(name)) {
     const auto found = value(name);
     if (!found) return found.error();
-    void* const data = newest_[messageType(name)->id].value.get();
-    for (const PathInfo& part : detail::paths(Value{&found->type(), data}))
-      list.push_back(name + "." + part.path);
+    for (const PathInfo& part : detail::paths(*found)) list.push_back(name + "." + part.path);
     return list;
   }
   const auto described = task(name);

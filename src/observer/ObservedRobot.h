@@ -49,9 +49,10 @@ class ObservedRobot {
 
   // Values of representations, by name.
 
-  /// Returns the present value of a representation. Requests it from the robot, unless it is
-  /// subscribed. The value is valid until further messages are processed. Returns an error if the
-  /// robot lacks the representation or does not answer.
+  /// Returns the present value of a representation: where it lies, if the robot's memory is in this
+  /// program; otherwise requests it from the robot, unless it is subscribed. The value is valid until
+  /// the robot's next cycle, or until the same representation is asked for again. Returns an error if
+  /// the robot lacks the representation or does not answer.
   Result<ConstValue> value(const std::string& representation);
   template <typename T>
   Result<const T*> value() {

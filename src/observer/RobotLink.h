@@ -1,8 +1,11 @@
 #pragma once
 #include <chrono>
 #include <functional>
+#include <optional>
+#include <string_view>
 
 #include "streams/MessageQueue.h"
+#include "streams/Type.h"
 
 namespace gt {
 
@@ -24,6 +27,9 @@ class RobotLink {
   /// answers immediately, between two of its cycles. For a robot in another program, the messages
   /// received so far are passed; its answers follow later.
   virtual void exchange(const Taker& take) = 0;
+  /// A representation as it is now, where the robot's memory is in this program: neither sent nor
+  /// copied. Valid until the robot's next cycle. Empty if it lies elsewhere, or does not exist.
+  virtual std::optional<ConstValue> peek(std::string_view /*representation*/) const { return {}; }
   /// Greatest time (ms) to wait for an answer.
   virtual std::chrono::milliseconds patience() const { return {}; }
 };

@@ -287,11 +287,12 @@ std::vector<ConfigSection> configSections(std::string_view text) {
   return sections;
 }
 
-std::vector<PathInfo> paths(Value root) {
+std::vector<PathInfo> paths(ConstValue root) {
   std::vector<PathInfo> all;
-  forEachPath(root, {}, "", [&](const std::string& path, const PartInfo& info, Value value) {
-    all.push_back({path, info, value});
-  });
+  forEachPath(writable(root), {}, "",
+              [&](const std::string& path, const PartInfo& info, Value value) {
+                all.push_back({path, info, value});
+              });
   return all;
 }
 

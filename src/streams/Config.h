@@ -38,7 +38,7 @@ std::vector<ConfigSection> configSections(std::string_view text);
 void writeConfig(ConstValue value, std::string& out);
 Result<void> setByPath(Value root, std::string_view path, std::string_view text);
 Result<std::string> getByPath(ConstValue root, std::string_view path);
-std::vector<PathInfo> paths(Value root);
+std::vector<PathInfo> paths(ConstValue root);
 }  // namespace detail
 
 /// Reads text in the config format into a value. Returns all errors: unknown or repeated names,

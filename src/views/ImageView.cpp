@@ -26,10 +26,9 @@ class ImageView : public View {
       if (element == "image") {
         sheet.paint(colors, {0, 0}, imageViewScale);
       } else if (element == "colorClassImage") {
-        const Image seen = **image;  // asking for the table may bring another one
         const auto table = (*robot)->value<ColorTable64>();
         if (!table) return table.error();
-        sheet.paint(classesOf(seen, **table), {0, 0}, imageViewScale);
+        sheet.paint(classesOf(**image, **table), {0, 0}, imageViewScale);
       } else {
         paintDrawings(sheet, **robot, element);
       }

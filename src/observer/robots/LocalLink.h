@@ -20,6 +20,9 @@ class LocalLink : public RobotLink {
     take(robot_.toTools());
     robot_.toTools().clear();
   }
+  std::optional<ConstValue> peek(std::string_view representation) const override {
+    return robot_.value(representation);
+  }
 
  private:
   Robot& robot_;

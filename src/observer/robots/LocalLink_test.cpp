@@ -56,6 +56,17 @@ TEST_F(LocalLinkTest, ValuesAreKnownWithoutACycle) {
   EXPECT_THAT(observed->inputs(), Contains("SensorDataBuffer"));
 }
 
+TEST_F(LocalLinkTest, ValuesAreReadWhereTheyLie) {
+  int messages = 0;
+  const auto passing = observed->passTo([&](const MessageQueue& queue) {
+    queue.handleAllMessages([&](const Message&) { ++messages; });
+  });
+  EXPECT_EQ(*observed->value<Image>(), robot->value("Image")->data());
+  EXPECT_EQ(*observed->value<RobotPose>(), robot->provided<RobotPose>());
+  EXPECT_EQ(messages, 0);
+  EXPECT_FALSE(observed->value("Nonsense"));
+}
+
 TEST_F(LocalLinkTest, RequestsAreCarriedOutAtOnce) {
   EXPECT_TRUE(observed->request(SolutionRequest{"SelfLocator", "disabled"}));
   EXPECT_EQ((*observed->task("SelfLocator"))->active, "disabled");

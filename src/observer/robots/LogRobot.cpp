@@ -110,6 +110,9 @@ class LogRobot::Link : public RobotLink {
     take(answers);
     robot_.handOver(take);
   }
+  std::optional<ConstValue> peek(std::string_view representation) const override {
+    return robot_.robot().value(representation);
+  }
 
  private:
   LogRobot& robot_;
