@@ -95,7 +95,7 @@ TEST_F(TestCommands, SolutionsAreComparedOnALog) {
   expectFine("place red1 -600 0 0");
   expectFine("place ball 0 0");
   expectFine("log start");
-  expectFine("run 800 ms");  // before it walks, each to its ball
+  expectFine("run 120 ms");  // before head and legs follow, each its ball
   ASSERT_TRUE(holds("BallModel.lastSeen > 0")) << "nothing to compare";
   expectFine("log save " + log);
   const auto lines = answers("compare " + log + " BallLocator PIDSmoothed Probabilistic");
