@@ -27,16 +27,18 @@ async function freePort() {
   return port;
 }
 
-/// Connects as soon as the program listens.
-async function connect(url) {
+/// A viewer that is connected as soon as the program listens. It listens before the connection is open: the server's first
+/// messages come once, and may come with its answer to the handshake.
+async function connect(url, wanted) {
   for (let i = 0; i < 600; ++i) {
     const ws = new WebSocket(url, [FoxgloveClient.SUPPORTED_SUBPROTOCOL]);
     const client = new FoxgloveClient({ ws });
+    const viewer = new Viewer(client, wanted);
     const open = await new Promise((done) => {
       client.on("open", () => done(true));
       client.on("error", () => done(false));
     });
-    if (open) return client;
+    if (open) return viewer;
     await new Promise((done) => setTimeout(done, 100));
   }
   throw new Error(`nobody listens at ${url}`);
@@ -134,9 +136,8 @@ async function checkMatch(simgt) {
   const program = spawn(simgt, ["console", "scenes/match.scene", "--seed", "7", "--foxglove", `${port}`, "--foxglove-origin",
     "https://app.foxglove.dev", "-c", "st on 1", "-c", "run 60 s"], { stdio: "ignore" });
   try {
-    const client = await connect(`ws://127.0.0.1:${port}`);
-    // At once, since the server's first messages come but once.
-    const viewer = new Viewer(client, (topic) => topic.startsWith("/red1/") ? !topic.includes("/distances/") : some.has(topic));
+    const viewer = await connect(`ws://127.0.0.1:${port}`,
+      (topic) => topic.startsWith("/red1/") ? !topic.includes("/distances/") : some.has(topic));
     await viewer.until(() => viewer.info && viewer.time, "the time");
     for (const [origin, status] of [["https://app.foxglove.dev", 101], ["http://localhost:8080", 101],
       ["https://elsewhere.example", 403], ["file://", 403]]) {
@@ -159,16 +160,17 @@ async function checkMatch(simgt) {
     await viewer.until(() => viewer.message("/tf").transforms.some((frame) => frame.child_frame_id === "blue4"), "a frame");
     check(Number(viewer.newest.get("/red1/RobotPose").timestamp) <= Number(viewer.time) + 1e9, "times disagree");
 
-    await checkParameters(client, viewer);
+    await checkParameters(viewer);
     const total = [...viewer.counts.values()].reduce((a, b) => a + b, 0);
     console.log(`${viewer.topics.size} channels, of which ${viewer.counts.size} sent ${total} messages`);
-    client.close();
+    viewer.client.close();
   } finally {
     program.kill();
   }
 }
 
-async function checkParameters(client, viewer) {
+async function checkParameters(viewer) {
+  const { client } = viewer;
   client.getParameters([], "all");
   await viewer.until(() => viewer.parameters.some(({ id }) => id === "all"), "parameters");
   const { parameters } = viewer.parameters.find(({ id }) => id === "all");
