@@ -60,9 +60,10 @@ struct CameraImage {
   std::vector<ScanPath>* paths = nullptr;
 
   bool contains(const Vector2d& p) const { return image.info.contains(p.x(), p.y()); }
-  ColorClass classAt(const Vector2d& p) const {
-    return colors[image.at(static_cast<int>(p.x()), static_cast<int>(p.y()))];
+  const Pixel& pixelAt(const Vector2d& p) const {
+    return image.at(static_cast<int>(p.x()), static_cast<int>(p.y()));
   }
+  ColorClass classAt(const Vector2d& p) const { return colors[pixelAt(p)]; }
   /// The unit vector, in the robot's system, from the camera to a point of the image (pixels), with
   /// the camera's pose at the exposure of the point's row.
   Vector3d ray(const Vector2d& p) const { return matrix.ray(p.x(), p.y()).normalized(); }

@@ -1,6 +1,7 @@
 #include "modules/perception/specialists/EdgeAngles.h"
 
 #include <cmath>
+#include <span>
 
 namespace gt {
 
@@ -8,19 +9,27 @@ void EdgeAngles::add(double angle, bool onBorder) {
   if (count_ < scans_.size()) scans_[count_++] = {angle, onBorder};
 }
 
+// The outermost of all scans, or of those that met the edge; null if there is none.
+const EdgeAngles::Scan* EdgeAngles::outermost(double sign, bool met) const {
+  const Scan* farthest = nullptr;
+  for (const Scan& scan : std::span{scans_}.first(count_))
+    if ((!met || !scan.onBorder) && (!farthest || sign * scan.angle > sign * farthest->angle))
+      farthest = &scan;
+  return farthest;
+}
+
 EdgeAngles::Merged EdgeAngles::merge(double sign, double tolerance, double share) const {
   if (count_ == 0) return {};
-  double extreme = scans_[0].angle;
-  for (std::size_t i = 1; i < count_; ++i)
-    if (sign * scans_[i].angle > sign * extreme) extreme = scans_[i].angle;
   double sum = 0;
   int met = 0;
-  for (std::size_t i = 0; i < count_; ++i) {
-    if (scans_[i].onBorder || std::abs(scans_[i].angle - extreme) > tolerance) continue;
-    sum += scans_[i].angle;
-    ++met;
-  }
-  if (met == 0 || met < share * static_cast<double>(count_)) return {extreme, true};
+  if (const Scan* edge = outermost(sign, share > 0))
+    for (const Scan& scan : std::span{scans_}.first(count_)) {
+      if (scan.onBorder || std::abs(scan.angle - edge->angle) > tolerance) continue;
+      sum += scan.angle;
+      ++met;
+    }
+  if (met == 0 || met < share * static_cast<double>(count_))
+    return {outermost(sign, false)->angle, true};
   return {sum / met, false};
 }
 

@@ -21,14 +21,23 @@ TEST(EdgeAngles, DoesNotTrustARaggedEdge) {
   EXPECT_FALSE(edge.merge(1, 0.03, 0.2).onBorder);
 }
 
-TEST(EdgeAngles, PrefersTheBorderOnlyFurtherOut) {
+TEST(EdgeAngles, ScansToTheBorderCountIfFewMetAStraightEdge) {
   EdgeAngles edge;
-  edge.add(0.1, false);
-  edge.add(0.1, false);
-  edge.add(0.05, true);
+  for (const bool onBorder : {false, false, true}) edge.add(onBorder ? 0.4 : 0.1, onBorder);
   EXPECT_FALSE(edge.merge(1, 0.03, 0.5).onBorder);
-  edge.add(0.4, true);
+  EXPECT_NEAR(edge.merge(1, 0.03, 0.5).angle, 0.1, 1e-12);
+  for (int i = 0; i < 2; ++i) edge.add(0.3, true);
   EXPECT_TRUE(edge.merge(1, 0.03, 0.5).onBorder);
+  EXPECT_EQ(edge.merge(1, 0.03, 0.5).angle, 0.4);
+}
+
+TEST(EdgeAngles, TheOutermostScanDecidesOfAnEdgeThatIsNotStraight) {
+  EdgeAngles edge;
+  for (const bool onBorder : {false, false, true}) edge.add(onBorder ? 0.05 : 0.1, onBorder);
+  EXPECT_FALSE(edge.merge(1, 0.03, 0).onBorder);
+  edge.add(0.4, true);
+  EXPECT_TRUE(edge.merge(1, 0.03, 0).onBorder);
+  EXPECT_EQ(edge.merge(1, 0.03, 0).angle, 0.4);
   edge.clear();
   EXPECT_TRUE(edge.empty());
   EXPECT_TRUE(edge.merge(1, 0.03, 0.5).onBorder);

@@ -13,8 +13,7 @@ constexpr int maxGap = 2;
 constexpr std::array parts{0.25, 0.5, 0.75};
 // Scans whose edges differ by less than this many pixels met the same edge.
 constexpr double sameEdge = 1.2;
-constexpr double farthestFlag = 5500;  // mm: nothing on a field is further away
-constexpr double straight = 0.5;       // The part of the scans that has to meet an edge.
+constexpr double straight = 0.5;  // The part of the scans that has to meet an edge.
 
 }  // namespace
 
@@ -83,6 +82,7 @@ bool FlagSpecialist::measure(const CameraImage& picture, const Vector2d& start,
   if (!picture.contains(start) || !measureHeights(picture, start, m)) return false;
   if (!scanWidth(picture, start, m)) return false;
   if (!isSolid(picture, start, m) || !standsOnPole(picture, start, m)) return false;
+  if (!m.pinkAbove && isPaleRed(picture, start, m)) return false;
   scanColumns(picture, start, m);
   const double tolerance = sameEdge / picture.matrix.info.focalX;
   const auto left = left_.merge(1, tolerance, straight),
@@ -192,6 +192,40 @@ bool FlagSpecialist::standsOnPole(const CameraImage& picture, const Vector2d& st
   return 9 * wrong <= (m.aboveGoesOn ? mostOfUncertain : most) * inside;
 }
 
+// Where a red tricot blurs into white, gray or a goal behind it, the mixture looks pink. It lies
+// between red and gray, while a flag's pink is bluer. Only differences within the image count, so
+// that brightness and a cast of the light hardly matter.
+bool FlagSpecialist::isPaleRed(const CameraImage& picture, const Vector2d& start,
+                               const Measurement& m) const {
+  // How much bluer it is than red, by how much less red it is: a mixture 0.25, pink 2.
+  constexpr double leastBlue = 0.6;
+  struct Mean {
+    double cb = 0, cr = 0;
+    int pixels = 0;
+
+    void add(const Pixel& p) {
+      cb += p.cb;
+      cr += p.cr;
+      ++pixels;
+    }
+  };
+  Mean pink, red;
+  // Inside of the lower color, beside it and below it.
+  for (const double down : {0.25, 0.5, 0.75, 1.25, 1.75})
+    for (const double across : {-0.4, -0.15, 0.15, 0.5, 0.85, 1.15, 1.4}) {
+      const Vector2d p = start + picture.horizon.down * (m.heightBelow * down) +
+                         picture.horizon.along * (leftmost_ + (rightmost_ - leftmost_) * across);
+      if (!picture.contains(p)) continue;
+      const ColorClass color = picture.classAt(p);
+      if (color == ColorClass::pink) pink.add(picture.pixelAt(p));
+      if (color == ColorClass::red) red.add(picture.pixelAt(p));
+    }
+  if (pink.pixels == 0 || red.pixels == 0) return false;
+  const double bluer = pink.cb / pink.pixels - red.cb / red.pixels;
+  const double lessRed = red.cr / red.pixels - pink.cr / pink.pixels;
+  return bluer < leastBlue * lessRed;
+}
+
 void FlagSpecialist::scanColumns(const CameraImage& picture, const Vector2d& start,
                                  const Measurement& m) {
   top_.clear();
@@ -240,7 +274,7 @@ bool locateFlag(const CameraMatrix& matrix, const FieldDimensions& field, double
   const double distance = high && wide   ? (4 * byHeight + byWidth) / 5
                           : byHeight > 0 ? byHeight
                                          : byWidth;
-  if (distance > farthestFlag) return false;
+  if (distance > farthestLandmark) return false;
   const Vector3d camera = matrix.pose.translation;
   if (distance > 0) {
     // What is not where a flag's edges must be is no flag.

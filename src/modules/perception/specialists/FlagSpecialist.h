@@ -47,6 +47,7 @@ class FlagSpecialist {
               ColorSet colors) const;
   bool isSolid(const CameraImage& picture, const Vector2d& start, const Measurement& m) const;
   bool standsOnPole(const CameraImage& picture, const Vector2d& start, const Measurement& m) const;
+  bool isPaleRed(const CameraImage& picture, const Vector2d& start, const Measurement& m) const;
   void scanColumns(const CameraImage& picture, const Vector2d& start, const Measurement& m);
 
   std::array<Cluster, 16> clusters_;

@@ -84,6 +84,22 @@ TEST_F(LikeAFlag, IsTheOneThatStandsOnItsPole) {
   EXPECT_EQ(percepts_.landmarks.flags[0].type, FlagType::pinkAboveSkyblue);
 }
 
+// Where a goal and a red robot before it meet, their edge blurs into what looks pink.
+TEST_F(LikeAFlag, PaleRedAboveARobotIsNotItsPink) {
+  const Pixel mixed{100, 118, 165};
+  for (const bool pink : {true, false}) {
+    boxes_ = {board(middle, 410, ColorClass::yellow),
+              board(210, middle, pink ? ColorClass::pink : ColorClass::orange),
+              board(0, 210, ColorClass::red, 3 * half)};
+    look(0, 0.1);
+    for (Pixel& p : image_.pixels)
+      if (colors_[p] == ColorClass::orange) p = mixed;
+    colors_.classes[ColorTable64::index(mixed.y, mixed.cb, mixed.cr)] = ColorClass::pink;
+    percepts_.lookWith(processor_, image_, matrix_, colors_, field_);
+    EXPECT_EQ(percepts_.landmarks.numberOfFlags, pink);
+  }
+}
+
 TEST_F(LikeAFlag, SomebodyBehindItInItsUpperColorIsNoPartOfIt) {
   for (const bool pinkAbove : {false, true}) {
     const ColorClass upper = pinkAbove ? ColorClass::pink : ColorClass::yellow;

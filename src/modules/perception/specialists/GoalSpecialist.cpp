@@ -11,26 +11,40 @@ constexpr int maxGap = 3;
 constexpr double sameEdge = 1.2;  // Pixels, as for flags.
 constexpr double straight = 0.5;  // The part of the rows that has to meet a post.
 constexpr double rim = 3;  // Pixels at the image's border, whose colors blur and light change.
-constexpr ColorSet robotColors{ColorClass::red, ColorClass::blue, ColorClass::black,
-                               ColorClass::gray};
 // Colors that are never seen where a goal meets the ground.
 constexpr ColorSet notBelow{ColorClass::red, ColorClass::blue, ColorClass::black, ColorClass::gray,
                             ColorClass::noColor};
-constexpr std::size_t minLines = 2;
 
 bool isAtRim(const CameraInfo& info, const Vector2d& p) {
   return p.x() < rim || p.x() > info.width - rim || p.y() < rim || p.y() > info.height - rim;
 }
 
-// Returns whether a robot begins at the edge, so that it is not the end of the goal.
-bool isHidden(const CameraImage& picture, const Vector2d& edge, const Vector2d& way,
-              ColorSet robot) {
-  const Vector2d beyond = edge + way * 2.5;
-  return picture.contains(beyond) && robot.contains(picture.classAt(beyond));
+// Returns whether one of some colors begins beyond the edge.
+bool borders(const CameraImage& picture, const Vector2d& edge, const Vector2d& outward,
+             ColorSet colors, double distance) {
+  const Vector2d beyond = edge + outward * distance;
+  return picture.contains(beyond) && colors.contains(picture.classAt(beyond));
+}
+
+// Returns whether the goal ends at the white of the field's border, as it does at its posts.
+// Anywhere else something hides the rest of it.
+bool isPost(const CameraImage& picture, const Vector2d& edge, const Vector2d& outward) {
+  constexpr ColorSet border{ColorClass::white};
+  return borders(picture, edge, outward, border, 2.5) ||
+         borders(picture, edge, outward, border, 3.5);
 }
 
 double heightOf(const GoalIndication& g) {
   return (g.bottom - g.top).norm();
+}
+
+// A single scan line may have met anything in the goal's color. It is enough on a field below what is
+// as high as the farthest goal.
+bool isEnough(std::span<const GoalIndication> group, const CameraInfo& info,
+              const FieldDimensions& field) {
+  if (group.size() != 1) return !group.empty();
+  return group[0].meetsField &&
+         heightOf(group[0]) > info.focalX * field.goalHeight / farthestLandmark;
 }
 
 // Positions of the scanned rows, as shares of the goal's height. Robots hide the lower ones.
@@ -45,7 +59,7 @@ void GoalSpecialist::find(const CameraImage& picture, std::span<const GoalIndica
     selectGroup(picture, indications, color);
     GoalPercept goal;
     goal.color = color;
-    if (group_.size() >= minLines && measure(picture, field, goal))
+    if (isEnough(group_, picture.image.info, field) && measure(picture, field, goal))
       percept.goals[static_cast<std::size_t>(percept.numberOfGoals++)] = goal;
   }
 }
@@ -74,14 +88,15 @@ void GoalSpecialist::selectGroup(const CameraImage& picture,
 }
 
 void GoalSpecialist::scanRows(const CameraImage& picture, const GoalIndication& from,
-                              ColorSet colors, double sign, EdgeAngles& edge) const {
+                              ColorSet colors, double sign, EdgeAngles& edge) {
   for (const double part : rows) {
     const Vector2d p = from.top + (from.bottom - from.top) * part;
     if (!colors.contains(picture.classAt(p))) continue;
-    const ColorEdge end = picture.findEdge(p, picture.horizon.along * -sign, colors, maxGap);
-    edge.add(azimuth(picture.ray(end.point)),
-             end.onBorder || isAtRim(picture.image.info, end.point) ||
-                 isHidden(picture, end.point, picture.horizon.along * -sign, robotColors));
+    const Vector2d outward = picture.horizon.along * -sign;
+    const ColorEdge end = picture.findEdge(p, outward, colors, maxGap);
+    const bool cut = end.onBorder || isAtRim(picture.image.info, end.point);
+    cutOff_ = cutOff_ || cut;
+    edge.add(azimuth(picture.ray(end.point)), cut || !isPost(picture, end.point, outward));
   }
 }
 
@@ -108,14 +123,16 @@ void GoalSpecialist::scanColumn(const CameraImage& picture, const GoalIndication
   const ColorEdge top = picture.findEdge(middle, -picture.horizon.down, colors, maxGap);
   const ColorEdge bottom = picture.findEdge(middle, picture.horizon.down, colors, maxGap);
   if (at.topKnown) top_.add(elevation(picture.ray(top.point)), top.onBorder);
-  bottom_.add(elevation(picture.ray(bottom.point)),
-              bottom.onBorder || isHidden(picture, bottom.point, picture.horizon.down, notBelow));
+  bottom_.add(
+      elevation(picture.ray(bottom.point)),
+      bottom.onBorder || borders(picture, bottom.point, picture.horizon.down, notBelow, 2.5));
 }
 
 bool GoalSpecialist::measure(const CameraImage& picture, const FieldDimensions& field,
                              GoalPercept& goal) {
   const ColorSet colors{goal.color == GoalColor::yellow ? ColorClass::yellow : ColorClass::skyblue};
   for (EdgeAngles* edge : {&left_, &right_, &top_, &bottom_}) edge->clear();
+  cutOff_ = false;
   // Rows from the outermost lines: what lies between them may be hidden.
   scanRows(picture, outermost(true), colors, 1, left_);
   scanRows(picture, outermost(false), colors, -1, right_);
@@ -130,10 +147,11 @@ bool GoalSpecialist::measure(const CameraImage& picture, const FieldDimensions& 
   const auto top = top_.merge(1, tolerance, 0), bottom = bottom_.merge(-1, tolerance, 0);
   goal.boundary = {left.angle,    right.angle,    top.angle,    bottom.angle,
                    left.onBorder, right.onBorder, top.onBorder, bottom.onBorder};
-  return locateGoal(picture.matrix, field, goal);
+  return locateGoal(picture.matrix, field, cutOff_, goal);
 }
 
-bool locateGoal(const CameraMatrix& matrix, const FieldDimensions& field, GoalPercept& goal) {
+bool locateGoal(const CameraMatrix& matrix, const FieldDimensions& field, bool cutOff,
+                GoalPercept& goal) {
   const ConditionalBoundary& b = goal.boundary;
   const double width = b.left - b.right;
   const double height = std::tan(b.top) - std::tan(b.bottom);
@@ -154,11 +172,11 @@ bool locateGoal(const CameraMatrix& matrix, const FieldDimensions& field, GoalPe
     goal.boundary.leftOnBorder = goal.boundary.rightOnBorder = true;
   // It stands on the ground, below the horizon.
   if (!b.bottomOnBorder && b.bottom > fromDegrees(1)) return false;
-  // Of a goal whose foot is hidden the upper edge gives the distance: flags are narrower.
+  // Of a goal whose foot is hidden the upper edge gives the distance, and the greatest one if the
+  // image cuts off its top: flags and people are narrower.
   constexpr double narrowest = 180;
   const double above = field.goalHeight - camera.z();
-  if (b.bottomOnBorder && !b.topOnBorder && !b.leftOnBorder && !b.rightOnBorder && above > 0 &&
-      width * above < narrowest * std::tan(b.top))
+  if (!cutOff && b.bottomOnBorder && above > 0 && width * above < narrowest * std::tan(b.top))
     return false;
   const double bearing = (b.left + b.right) / 2;
   // The height is that of all walls of the goal: on average it is seen halfway to its back. If it

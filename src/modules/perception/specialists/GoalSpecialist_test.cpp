@@ -8,9 +8,17 @@
 namespace gt {
 namespace {
 
+/// Goals and what looks like them in the white border of a field.
+class DrawnGoals : public DrawnBoxes {
+ protected:
+  static Box border(double right = -2500, double left = 2500, double height = 300) {
+    return {{1511, right, 0}, {1520, left, height}, ColorClass::white};
+  }
+};
+
 using GoalSpecialistTest = DrawnLandmarks;
-using GoalBehindARobot = DrawnBoxes;
-using LikeAGoal = DrawnBoxes;
+using GoalBehindARobot = DrawnGoals;
+using LikeAGoal = DrawnGoals;
 
 TEST_F(GoalSpecialistTest, MeasuresTheGoal) {
   random_ = Random{10};
@@ -55,6 +63,7 @@ TEST_F(GoalBesideTheRobot, IsInItsDirectionThoughItsTopIsNotSeen) {
 
 TEST_F(GoalBehindARobot, ARobotHidesTheFootOfAGoalButNotTheGoal) {
   boxes_ = {{{1500, -300, 0}, {1510, 300, 300}, ColorClass::skyblue},
+            border(),
             {{600, -200, 0}, {700, 150, 100}, ColorClass::gray},
             {{600, -200, 100}, {700, 150, 170}, ColorClass::red}};
   look(0, 0.05);
@@ -67,7 +76,7 @@ TEST_F(GoalBehindARobot, ARobotHidesTheFootOfAGoalButNotTheGoal) {
 // Bright parts of a robot look like an end, but no goal is that narrow.
 TEST_F(GoalBehindARobot, ANarrowGoalIsHiddenOnASideThatNothingShows) {
   for (const bool hidden : {false, true}) {
-    boxes_ = {{{1500, hidden ? 100. : -300., 0}, {1510, 300, 300}, ColorClass::skyblue}};
+    boxes_ = {{{1500, hidden ? 100. : -300., 0}, {1510, 300, 300}, ColorClass::skyblue}, border()};
     look(0, 0);
     ASSERT_EQ(percepts_.landmarks.numberOfGoals, 1) << hidden;
     const ConditionalBoundary& b = percepts_.landmarks.goals[0].boundary;
@@ -76,10 +85,50 @@ TEST_F(GoalBehindARobot, ANarrowGoalIsHiddenOnASideThatNothingShows) {
   }
 }
 
+// What hides a part of a goal may have any color, but not that of the border beside its posts.
+TEST_F(GoalBehindARobot, AnEndBesideNoBorderIsNoPost) {
+  for (const ColorClass color : {ColorClass::white, ColorClass::green, ColorClass::noColor}) {
+    boxes_ = {{{1500, -300, 0}, {1510, 300, 300}, ColorClass::skyblue}, border(0), border()};
+    boxes_[2].color = color;
+    look(0, 0);
+    ASSERT_EQ(percepts_.landmarks.numberOfGoals, 1) << enumName(color);
+    const ConditionalBoundary& b = percepts_.landmarks.goals[0].boundary;
+    EXPECT_FALSE(b.leftOnBorder) << enumName(color);
+    EXPECT_EQ(b.rightOnBorder, color != ColorClass::white) << enumName(color);
+  }
+}
+
+TEST_F(GoalBehindARobot, APersonAboveTheBorderDoesNotHideThePost) {
+  for (const double height : {200., 40.}) {
+    boxes_ = {{{1500, -300, 0}, {1510, 300, 300}, ColorClass::skyblue},
+              border(-2500, 2500, height),
+              {{1530, -500, 0}, {1540, 0, 1200}, ColorClass::skyblue}};
+    look(0, 0);
+    ASSERT_EQ(percepts_.landmarks.numberOfGoals, 1) << height;
+    const ConditionalBoundary& b = percepts_.landmarks.goals[0].boundary;
+    EXPECT_EQ(b.rightOnBorder, height == 40) << height;
+    const double seen = b.rightOnBorder ? -510 / 1440. : -310 / 1410.;
+    EXPECT_NEAR(toDegrees(b.right), toDegrees(std::atan(seen)), 1) << height;
+  }
+}
+
+// A strip that one scan line meets, or two of them.
+TEST_F(GoalBehindARobot, IsSeenInANarrowStrip) {
+  for (int i = 0; i < 20; ++i) {
+    const double y = -250 + 20 * i;
+    boxes_ = {{{1500, -300, 0}, {1510, 300, 300}, ColorClass::yellow},
+              {{1400, -900, 0}, {1410, y, 300}, ColorClass::white},
+              {{1400, y + 60, 0}, {1410, 900, 300}, ColorClass::white}};
+    look(0, 0);
+    EXPECT_EQ(percepts_.landmarks.numberOfGoals, 1) << y;
+  }
+}
+
 // What hides its foot must be a robot: a shirt above something gray, or black legs, is no goal.
 TEST_F(LikeAGoal, SomethingAboveAGrayOrBlackBoxIsNone) {
   for (const ColorClass color : {ColorClass::gray, ColorClass::black, ColorClass::blue}) {
     boxes_ = {{{1500, -300, 0}, {1510, 300, 300}, ColorClass::skyblue},
+              border(),
               {{600, -200, 0}, {700, 150, 170}, color}};
     look(0, 0.05);
     EXPECT_EQ(percepts_.landmarks.numberOfGoals, color == ColorClass::blue) << enumName(color);
@@ -88,6 +137,7 @@ TEST_F(LikeAGoal, SomethingAboveAGrayOrBlackBoxIsNone) {
 
 TEST_F(LikeAGoal, APersonInItsColorBehindAGoalIsNoPartOfIt) {
   boxes_ = {{{1500, -300, 0}, {1510, 300, 300}, ColorClass::skyblue},
+            border(),
             {{2600, -150, 0}, {2700, 250, 1200}, ColorClass::skyblue}};
   look(0, 0);
   ASSERT_EQ(percepts_.landmarks.numberOfGoals, 1);
@@ -105,6 +155,32 @@ TEST_F(LikeAGoal, ASmallYellowBoxIsNone) {
   }
 }
 
+// Over the length of the field it would be as low as that.
+TEST_F(LikeAGoal, ASpeckOnTheFieldIsNone) {
+  for (int i = 0; i < 20; ++i) {
+    const double y = -200 + 17 * i;
+    boxes_ = {{{1600, y, 0}, {1610, y + 25, 50}, ColorClass::yellow}};
+    look(0, 0);
+    EXPECT_EQ(percepts_.landmarks.numberOfGoals, 0) << y;
+  }
+}
+
+// Nothing but the image's border leaves so little of a goal whose foot a robot hides.
+TEST_F(LikeAGoal, APersonBehindARobotIsNoneButTheEndOfAGoalIs) {
+  boxes_ = {border(),
+            {{2600, -110, 0}, {2700, 110, 1200}, ColorClass::skyblue},
+            {{1000, -400, 0}, {1100, 400, 265}, ColorClass::blue}};
+  look(0, 0.1);
+  EXPECT_EQ(percepts_.landmarks.numberOfGoals, 0);
+  boxes_ = {border(),
+            {{1500, -300, 0}, {1510, 300, 300}, ColorClass::skyblue},
+            {{600, -700, 0}, {700, 300, 170}, ColorClass::blue}};
+  const double post = std::atan2(-310, 1410), visible = fromDegrees(4);
+  look(post + visible - image_.info.openingAngleX() / 2, 0);
+  ASSERT_EQ(percepts_.landmarks.numberOfGoals, 1);
+  EXPECT_TRUE(percepts_.landmarks.goals[0].boundary.leftOnBorder);
+}
+
 /// The front of a goal, as its size and its place ahead of a camera make it.
 class LocateGoal : public testing::Test {
  protected:
@@ -120,7 +196,7 @@ class LocateGoal : public testing::Test {
     b.right = -b.left;
     b.top = std::atan2(foot + goalHeight - height, distance);
     b.bottom = std::atan2(foot - height, distance);
-    return locateGoal(matrix_, field_, goal_);
+    return locateGoal(matrix_, field_, b.leftOnBorder || b.rightOnBorder, goal_);
   }
   void cutOff(bool left, bool right, bool top, bool bottom) {
     goal_ = {};
@@ -198,7 +274,7 @@ TEST_F(LocateGoal, WithAHiddenFootItIsWiderThanAFlag) {
   cutOff(false, true, false, true);
   EXPECT_TRUE(locate(1500, 150));
   cutOff(false, false, true, true);
-  EXPECT_TRUE(locate(1500, 150));
+  EXPECT_FALSE(locate(1500, 150)) << "at most as far away as its top says";
   matrix_.pose.translation.z() = 310;
   cutOff(false, false, false, true);
   EXPECT_TRUE(locate(1500, 150)) << "from above its distance is not known";

@@ -9,8 +9,8 @@
 
 namespace gt {
 
-/// Test fixture: one ball, one flag and one goal wall in the robot's system (mm), and the percepts
-/// of GT2003 from their images.
+/// Test fixture: one ball, one flag and one goal wall in the robot's system (mm), the latter within
+/// the white border, and the percepts of GT2003 from their images.
 class DrawnLandmarks : public testing::Test {
  protected:
   static const Palette& palette() {
@@ -72,8 +72,8 @@ class DrawnLandmarks : public testing::Test {
     }
     if (goal_ && ray.x() > 0) {
       const Vector3d hit = from + ray * ((*goal_ - from.x()) / ray.x());
-      if (std::abs(hit.y()) < field_.yGoal && hit.z() > 0 && hit.z() < field_.goalHeight)
-        return ColorClass::yellow;
+      if (hit.z() > 0 && hit.z() < field_.goalHeight)
+        return std::abs(hit.y()) < field_.yGoal ? ColorClass::yellow : ColorClass::white;
     }
     return ray.z() < 0 && from.z() / -ray.z() < 3500 ? ColorClass::green : ColorClass::noColor;
   }
