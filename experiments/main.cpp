@@ -284,7 +284,10 @@ void addCommands(CommandLine& line, Arguments& a, const DataRoot& root) {
       line.command("calibrate-kicks", "Measures what kicks do, and writes their table",
                    [&] { return calibrateKicks(a.kicks, a.team, root, a.threads); });
   kicks.add_option("kicks", a.kicks, "Some of them; all, if none is named");
-  kicks.add_option("--team", a.team, "Whose: a folder, or a name of the folder teams");
+  kicks.add_option(
+      "--team", a.team,
+      "Whose: a folder, a name of the folder teams, or commit:REVISION, whose table is "
+      "kept in config/opponents");
 }
 
 }  // namespace

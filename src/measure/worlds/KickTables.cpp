@@ -50,6 +50,22 @@ Result<KickTable> readTable(const std::string& path) {
   return table;
 }
 
+/// The tables of kicks that earlier teams play with, in the order of their names.
+Result<std::vector<KickTable>> tablesOfOpponents(const DataRoot& root) {
+  std::vector<fs::path> files;
+  std::error_code failed;  // then there are none
+  for (const auto& entry : fs::directory_iterator{root.path("config/opponents"), failed})
+    if (entry.path().extension() == ".cfg") files.push_back(entry.path());
+  std::ranges::sort(files);
+  std::vector<KickTable> tables;
+  for (const fs::path& file : files) {
+    auto table = readTable(file);
+    if (!table) return table.error();
+    tables.push_back(*std::move(table));
+  }
+  return tables;
+}
+
 /// Names all that a motion does: another one has the same if it asks for the same angles, gains and
 /// frames, and goes on in the same way.
 std::string nameOf(const MotionNet& net, int motion) {
@@ -122,9 +138,13 @@ Result<KickTable> kicksOfMotions(const MotionNet& net, const ConfigurationPaths&
   if (!own) return own.error();
   const auto project = readTable(root.path("config/kicks.cfg"));
   if (!project) return project.error();
+  const auto opponents = tablesOfOpponents(root);
+  if (!opponents) return opponents.error();
+  std::vector<const KickTable*> tables{&*own, &*project};
   std::set<std::string> names;
-  for (const auto* table : {&*own, &*project})
+  for (const KickTable* table : tables)
     for (const KickDescription& kick : table->kicks) names.insert(kick.motion);
+  for (const KickTable& table : *opponents) tables.push_back(&table);
   for (std::string& name : kicksIn(paths.motions)) names.insert(std::move(name));
   KickTable kicks;
   for (const std::string& name : names) {
@@ -132,7 +152,7 @@ Result<KickTable> kicksOfMotions(const MotionNet& net, const ConfigurationPaths&
     if (motion <= 0) continue;
     const std::string made = nameOf(net, motion);
     const KickDescription* known = nullptr;
-    for (const auto* table : {&*own, &*project})
+    for (const KickTable* table : tables)
       if (const auto* kick = table->kickOf(name); !known && kick && kick->made == made)
         known = kick;
     if (known) {

@@ -20,9 +20,10 @@ Result<DescribedKick> measureKick(const std::string& motion, const MotionNet& ne
                                   unsigned threads);
 
 /// The effects of the kicks among a folder's motions, for the kinematic fidelity. Each is taken
-/// from a row of the configuration's or the project's table that was measured with the same motion.
-/// If there is none, the kick is measured, and stored in the user's cache. Kicks are the motions in
-/// the subfolder `kicks`, or in a table.
+/// from a row that was measured with the same motion: of the configuration's table, the project's,
+/// or those that are kept of earlier teams (config/opponents). If there is none, the kick is
+/// measured, and stored in the user's cache. Kicks are the motions in the subfolder `kicks`, or in
+/// one of the first two tables.
 Result<KickTable> kicksOfMotions(const MotionNet& net, const ConfigurationPaths& paths,
                                  const DataRoot& root, unsigned threads);
 

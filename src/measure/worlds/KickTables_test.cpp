@@ -117,7 +117,6 @@ class ChangedMotions : public testing::Test {
     return *std::move(kicks);
   }
 
- private:
   TemporaryFolder folder_;
 };
 
@@ -127,6 +126,32 @@ TEST_F(ChangedMotions, AreTheTablesAsLongAsTheyDoTheSame) {
   const std::string file = motions() + "/kicks/pushStrong.mof";
   ASSERT_TRUE(writeFile(file, "// Another comment.\n" + *readFile(file)));
   EXPECT_EQ(kickTableText(kicks()), kickTableText(table));
+}
+
+// Here the project's tables are that of an earlier team alone, which plays with these motions.
+TEST_F(ChangedMotions, AreKnownFromTheTableOfAnEarlierTeam) {
+  const std::filesystem::path root = folder_.path() / "root";
+  std::filesystem::create_directories(root / "config/opponents");
+  std::filesystem::copy("config/kicks.cfg", root / "config/opponents/0123456789ab.cfg");
+  const auto net = loadMotionNet(motions());
+  ASSERT_TRUE(net) << net.error().text();
+  ConfigurationPaths paths;
+  paths.motions = motions();
+  paths.config = root / "config";
+  const auto kicks = kicksOfMotions(*net, paths, DataRoot{root}, 2);
+  ASSERT_TRUE(kicks) << kicks.error().text();
+  EXPECT_EQ(kickTableText(*kicks), *readFile("config/kicks.cfg"));
+}
+
+// The file names the commit whose robots play with these motions.
+TEST(KickTables, OfEarlierTeamsAreKeptAsTheyAreWritten) {
+  for (const auto& entry : std::filesystem::directory_iterator{"config/opponents"}) {
+    KickTable table;
+    ASSERT_TRUE(readConfig(entry.path(), table)) << entry.path();
+    EXPECT_EQ(entry.path().stem().string().size(), 12) << entry.path();
+    EXPECT_FALSE(table.kicks.empty()) << entry.path();
+    EXPECT_EQ(*readFile(entry.path()), kickTableText(table)) << entry.path();
+  }
 }
 
 TEST_F(ChangedMotions, ThatStandStillAreNoKicksAndAreMeasuredOnce) {
