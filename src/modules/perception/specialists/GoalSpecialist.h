@@ -18,8 +18,8 @@ class GoalSpecialist {
   void selectGroup(const CameraImage& picture, std::span<const GoalIndication> indications,
                    GoalColor color);
   bool measure(const CameraImage& picture, const FieldDimensions& field, GoalPercept& goal);
-  void scanRows(const CameraImage& picture, const GoalIndication& from, ColorSet colors,
-                double sign, EdgeAngles& edge);
+  void scanRows(const CameraImage& picture, const GoalIndication& from,
+                const FieldDimensions& field, ColorSet colors, double sign, EdgeAngles& edge);
   const GoalIndication& outermost(bool left) const;
   const GoalIndication& highest() const;
   void scanColumn(const CameraImage& picture, const GoalIndication& at, ColorSet colors);

@@ -98,6 +98,19 @@ TEST_F(GoalBehindARobot, AnEndBesideNoBorderIsNoPost) {
   }
 }
 
+TEST_F(GoalBehindARobot, OnAFieldWithoutWallsOnlyARobotHidesAPost) {
+  field_.wallHeight = 0;
+  for (const ColorClass color : {ColorClass::green, ColorClass::noColor, ColorClass::gray}) {
+    boxes_ = {{{1500, -300, 0}, {1510, 300, 300}, ColorClass::skyblue},
+              {{1490, -600, 0}, {1520, -200, 300}, color}};
+    look(0, 0);
+    ASSERT_EQ(percepts_.landmarks.numberOfGoals, 1) << enumName(color);
+    const ConditionalBoundary& b = percepts_.landmarks.goals[0].boundary;
+    EXPECT_FALSE(b.leftOnBorder) << enumName(color);
+    EXPECT_EQ(b.rightOnBorder, color == ColorClass::gray) << enumName(color);
+  }
+}
+
 TEST_F(GoalBehindARobot, APersonAboveTheBorderDoesNotHideThePost) {
   for (const double height : {200., 40.}) {
     boxes_ = {{{1500, -300, 0}, {1510, 300, 300}, ColorClass::skyblue},
